@@ -33,6 +33,7 @@
 BOOST_AUTO_TEST_SUITE(test_cut_along_contours)
 
 using namespace cut_mesh_checks;
+using curve_samples::number_of_samples;
 using curve_samples::Sample;
 using mesh_builders::Polyhedron;
 using mesh_builders::Surface_mesh;
@@ -114,7 +115,7 @@ long sum_of_euler_characteristics(const std::vector<Piece>& pieces)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(many_contours_at_a_time, Mesh, Meshes)
 {
-  for(std::size_t seed = 0; seed < 400; ++seed)
+  for(std::size_t seed = 0; seed < number_of_samples<Mesh>(400); ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
       Cut_sample<Mesh> sample(curve_samples::any_sample(seed));
@@ -146,7 +147,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(many_contours_at_a_time, Mesh, Meshes)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(cutting_open_parts_the_pieces, Mesh, Meshes)
 {
-  for(std::size_t seed = 0; seed < 400; ++seed)
+  for(std::size_t seed = 0; seed < number_of_samples<Mesh>(400); ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
       Cut_sample<Mesh> sample(curve_samples::any_sample(seed)), opened(curve_samples::any_sample(seed));
@@ -186,7 +187,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(cutting_open_parts_the_pieces, Mesh, Meshes)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(property_maps_tell_the_curves_and_the_pieces, Mesh, Meshes)
 {
-  for(std::size_t seed = 0; seed < 200; ++seed)
+  for(std::size_t seed = 0; seed < number_of_samples<Mesh>(200); ++seed)
     for(const bool is_cut_open : {false, true})
       BOOST_TEST_CONTEXT("seed " << seed << (is_cut_open ? ", cut open" : ""))
       {

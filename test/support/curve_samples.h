@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 // Surfaces with fields for curves, each made from a seed.
@@ -32,6 +33,13 @@ struct Sample
   Triangle_soup soup;
   std::vector<double> values;
 };
+
+// Curves are found by numbers, and only cut in another way into another mesh: there, fewer samples do.
+template <class Mesh>
+constexpr std::size_t number_of_samples(std::size_t number)
+{
+  return std::is_same_v<Mesh, mesh_builders::Surface_mesh> ? number : number / 4;
+}
 
 inline Field_class field_class(std::size_t seed)
 {
