@@ -43,7 +43,7 @@ number_of_jobs() {
   local cores memory_in_kb jobs
   cores=$(nproc)
   memory_in_kb=$(awk '/^MemAvailable/ { print $2 }' /proc/meminfo)
-  jobs=$((memory_in_kb / 3000000))
+  jobs=$((memory_in_kb / 3500000))
   echo $((jobs < 1 ? 1 : jobs < cores ? jobs : cores))
 }
 
