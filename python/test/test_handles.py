@@ -40,8 +40,9 @@ def test_loops_as_the_program(tmp_path, triangles, points, options, of_program):
     assert found.intersecting_pairs == expected.get("intersecting_pairs")
     assert len(found.loops) == len(expected["loops"]) >= 2
     for loop, row in zip(found.loops, expected["loops"]):
-        for key in ("kind", "length", "component", "partner", "persistence", "area", "simple", "certain"):
+        for key in ("kind", "length", "component", "partner", "persistence", "simple", "certain"):
             assert getattr(loop, key) == row[key]
+        assert loop.area == pytest.approx(row["area"], rel=1e-12)  # among discs that are as good, addresses decide
         for key in ("center", "box", "vertices"):
             assert np.array_equal(getattr(loop, key), row[key])
 

@@ -118,8 +118,8 @@ Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_
   Disc_triangles result;
   if(polyline.size() < 3 || polyline.size() > largest_loop_of_disc)
     return result;
-  // Among discs that are as good as each other, CGAL chooses by addresses in memory. So points are moved by a millionth of
-  // the size, seen from the first one.
+  // Among discs that are as good as each other, CGAL chooses by addresses in memory. So that these are rare, points are moved
+  // by a millionth of the size, seen from the first one.
   const Polyline all_points[] = {polyline, third_points};
   double size = 0;
   for(const auto& p : polyline)
@@ -142,9 +142,13 @@ Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_
   else
     Polygon_mesh_processing::triangulate_hole_polyline(moved[0], moved[1], std::back_inserter(triangles));
   for(const auto& t : triangles)
+  {
     result.push_back(
       {static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second), static_cast<std::size_t>(t.third)});
-  std::sort(result.begin(), result.end()); // They come in an order of addresses, another one in each run.
+    auto& corners = result.back();
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  }
+  std::sort(result.begin(), result.end()); // Addresses decide on their order and their first corners, too.
   return result;
 }
 #endif
