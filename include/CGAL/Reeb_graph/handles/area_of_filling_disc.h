@@ -39,7 +39,6 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -118,29 +117,14 @@ Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_
   Disc_triangles result;
   if(polyline.size() < 3 || polyline.size() > largest_loop_of_disc)
     return result;
-  // Among discs that are as good as each other, CGAL chooses by addresses in memory. So that these are rare, points are moved
-  // by a millionth of the size, seen from the first one.
-  const Polyline all_points[] = {polyline, third_points};
-  double size = 0;
-  for(const auto& p : polyline)
-    for(int axis : {0, 1, 2})
-      size = (std::max)(size, std::abs(p[axis] - polyline.front()[axis]));
-  std::mt19937 random;
-  Polyline moved[2];
-  for(std::size_t k : {0, 1})
-    for(const auto& p : all_points[k])
-    {
-      const auto coordinate = [&](int axis) {
-        return p[axis] - polyline.front()[axis] + 1e-6 * size * (static_cast<double>(random()) / random.max());
-      };
-      const double x = coordinate(0), y = coordinate(1), z = coordinate(2);
-      moved[k].emplace_back(x, y, z);
-    }
+  // Where only edges of a Delaunay triangulation are tried, addresses in memory decide among discs that are as good as each
+  // other. It pays for long loops only.
+  const auto np = parameters::use_delaunay_triangulation(polyline.size() > 50);
   std::vector<CGAL::Triple<int, int, int>> triangles;
   if(third_points.empty())
-    Polygon_mesh_processing::triangulate_hole_polyline(moved[0], std::back_inserter(triangles));
+    Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles), np);
   else
-    Polygon_mesh_processing::triangulate_hole_polyline(moved[0], moved[1], std::back_inserter(triangles));
+    Polygon_mesh_processing::triangulate_hole_polyline(polyline, third_points, std::back_inserter(triangles), np);
   for(const auto& t : triangles)
   {
     result.push_back(
