@@ -18,6 +18,7 @@
 #include <boost/mpl/list.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <thread>
 #include <vector>
@@ -143,12 +144,24 @@ BOOST_AUTO_TEST_CASE(one_thread_calls_the_callback_and_can_cancel)
     BOOST_TEST(listener.is_called_in_order);
     BOOST_TEST(listener.fraction == 1);
     BOOST_TEST_REQUIRE(listener.number_of_calls > 20u);
-    for(std::size_t last_call = 1; last_call < listener.number_of_calls / 2; last_call += 1 + last_call / 3)
+    // How often it is called depends on what the other threads leave to this one.
+    std::size_t number_cancelled = 0;
+    for(std::size_t last_call = 1; last_call < listener.number_of_calls; last_call += 1 + last_call / 3)
     {
       Listener stopping{last_call};
-      BOOST_CHECK_THROW(handle_and_tunnel_loops<Parallel>(mesh, scalar_map, parameters::callback(std::ref(stopping))),
-                        CGAL::Reeb_graph::Cancelled_error);
+      bool is_cancelled = false;
+      try
+      {
+        handle_and_tunnel_loops<Parallel>(mesh, scalar_map, parameters::callback(std::ref(stopping)));
+      }
+      catch(const CGAL::Reeb_graph::Cancelled_error&)
+      {
+        is_cancelled = true;
+      }
+      BOOST_TEST(is_cancelled == (stopping.number_of_calls == last_call && stopping.fraction < 1));
+      number_cancelled += is_cancelled ? 1 : 0;
     }
+    BOOST_TEST(number_cancelled > 4u);
   });
 }
 
