@@ -14,6 +14,7 @@
 #include "tube_samples.h"
 #include "voxel_solids.h"
 
+#include <CGAL/Reeb_graph/internal/space/Closed_triangles.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
@@ -477,15 +478,7 @@ Exact_mesh crumpled_mesh(random_meshes::Random& random)
 
 std::size_t number_of_self_intersections(const Exact_mesh& mesh, bool are_counted)
 {
-  CGAL::Reeb_graph::internal::Closed_triangles triangles;
-  for(const auto& p : mesh.points())
-    triangles.points.push_back({p.x(), p.y(), p.z()});
-  for(const auto h : mesh.halfedges())
-  {
-    triangles.target.push_back(mesh.target(h));
-    triangles.next.push_back(mesh.next(h));
-  }
-  triangles.number_faces();
+  const auto triangles = CGAL::Reeb_graph::internal::closed_triangles(mesh);
   CGAL::Reeb_graph::internal::Self_intersections intersections(
     triangles, std::vector<CGAL::Reeb_graph::internal::Index>(mesh.num_vertices(), 0), 1, are_counted);
   return intersections(CGAL::Reeb_graph::internal::No_progress())[0];

@@ -241,7 +241,8 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
 /// A loop that bounds on one side of a surface need not bound a disc there: the tunnel of a knotted torus does not. For
 /// each loop, a disc of triangles with little area is spanned, by `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
 /// If it meets a face of the mesh, but for those with a vertex on the loop, there is no area. Neither is there for a
-/// loop of less than 3 or more than 1000 halfedges.
+/// loop of less than 3 or more than 1000 halfedges. Among discs that are as good as each other, another one can be spanned
+/// in another run over a loop of more than 50 halfedges; its area differs by rounding.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam LoopRange a range of ranges of halfedge descriptors

@@ -45,7 +45,8 @@ namespace CGAL::Reeb_graph {
 /// The smallest handle comes first. Loops are those of `handle_and_tunnel_loops()`, found anew until no handle is left
 /// that is smaller than the given size and can be removed. One stays if its loop passes a vertex twice or a hole, if it
 /// bounds no disc, or if the new faces would intersect each other, the rest of the surface, or another component. So a
-/// surface that does not intersect itself does not afterwards, either.
+/// surface that does not intersect itself does not afterwards, either. For loops of more than 50 halfedges, the triangles of
+/// discs can differ from run to run where others are as good: see `areas_of_filling_discs()`.
 ///
 /// Loops that are not shorter than the size are not looked for. A round takes the time of `handle_and_tunnel_loops()` for
 /// short loops, and all handles that do not touch each other are removed in one round.

@@ -74,6 +74,22 @@ struct Closed_triangles
   }
 };
 
+// The triangles of a Surface_mesh that is closed and has no garbage.
+template <class SurfaceMesh>
+Closed_triangles closed_triangles(const SurfaceMesh& mesh)
+{
+  Closed_triangles result;
+  for(const auto& p : mesh.points())
+    result.points.push_back({p.x(), p.y(), p.z()});
+  for(const auto h : mesh.halfedges())
+  {
+    result.target.push_back(mesh.target(h));
+    result.next.push_back(mesh.next(h));
+  }
+  result.number_faces();
+  return result;
+}
+
 } // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_SPACE_CLOSED_TRIANGLES_H

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/space/Closed_triangles.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
@@ -154,16 +155,8 @@ inline void remove_covered_tips(const Sampled_graph& graph,
 
 inline bool does_self_intersect(const Mesh& mesh, const Stage_progress& progress)
 {
-  Closed_triangles triangles;
   progress(0);
-  for(const Point& p : mesh.points())
-    triangles.points.push_back({p.x(), p.y(), p.z()});
-  for(const auto h : mesh.halfedges())
-  {
-    triangles.target.push_back(mesh.target(h));
-    triangles.next.push_back(mesh.next(h));
-  }
-  triangles.number_faces();
+  const Closed_triangles triangles = closed_triangles(mesh);
   Self_intersections intersections(triangles, std::vector<Index>(mesh.num_vertices(), 0), 1, false);
   return intersections(progress.part(0.2, 1))[0] != 0;
 }
