@@ -581,33 +581,4 @@ BOOST_AUTO_TEST_CASE(integers_can_be_large)
                   == rows[i][k]));
 }
 
-// CGAL's triangulation of a long hole chooses by addresses among discs that are as good as each other.
-BOOST_AUTO_TEST_CASE(discs_do_not_depend_on_addresses)
-{
-  const Surface_mesh mesh = make_mesh<Surface_mesh>(handle_samples::gyroid(4, 0.4));
-  const auto found = find_loops(mesh, 1);
-  random_meshes::Random random(1);
-  std::size_t number_of_loops = 0;
-  std::vector<std::vector<char>> in_between; // what other programs have in memory there
-  for(const auto& loop : found.loops())
-  {
-    std::vector<CGAL::Reeb_graph::internal::Disc_point> polyline;
-    for(const auto h : loop.halfedges)
-      polyline.push_back(CGAL::Reeb_graph::internal::disc_point(mesh.point(source(h, mesh))));
-    if(polyline.size() > 50)
-      continue;
-    ++number_of_loops;
-    const auto expected = CGAL::Reeb_graph::internal::triangulate_disc(polyline, {});
-    for(int run = 0; run != 8; ++run)
-    {
-      for(int k = 0; k != 100; ++k)
-        in_between.emplace_back(random.below(3000));
-      for(int k = 0; k != 300; ++k)
-        in_between[random.below(in_between.size())] = {};
-      BOOST_TEST((CGAL::Reeb_graph::internal::triangulate_disc(polyline, {}) == expected));
-    }
-  }
-  BOOST_TEST(number_of_loops > 2u);
-}
-
 BOOST_AUTO_TEST_SUITE_END()
