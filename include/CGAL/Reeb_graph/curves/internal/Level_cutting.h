@@ -149,7 +149,7 @@ private:
       const halfedge_descriptor first =
         ranked_.split_edge(h, lower, upper, ranked_.crossing_fraction(lower, upper, value));
       ranked_.place(target(first, mesh_), Levels_between::rank_of(level), value);
-      added.push_back({target(first, mesh_), level});
+      added.push_back({target(first, mesh_), static_cast<std::size_t>(level)});
     }
   }
 
