@@ -286,7 +286,7 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
                   "The distance between points, as a share of the radius, 0.5 by default");
   command->add_flag_callback(
     "--fill-borders", [&options] { options.settings.are_borders_ends = false; },
-    "Treat borders as if they were filled, so that they are no ends, as for a scan with holes");
+    "Treat borders as if they were filled, so that they are not ends, as for a scan with holes");
   begin_group(*command, "Output");
   const auto add_path = [&options](const std::vector<std::string>& paths) { options.output_paths = paths; };
   command

@@ -18,7 +18,8 @@ cut_to_disks        cuts a surface to disks, to flatten it
 handles             short handles and tunnels of a surface, and where they are
 remove_handles      cuts small ones
 skeleton            lines inside of a surface, with radii: a `Skeleton`
-mesh_arrays         takes the arrays of a mesh of trimesh, PyVista, or meshio
+read                reads a mesh file; all functions take its name in the place of triangles, too
+mesh_arrays         takes the arrays of a mesh of trimesh, PyVista, meshio, or VTK
 
 Examples
 --------
@@ -40,7 +41,7 @@ except ImportError as error:
         f" ({error})"
     ) from error
 
-from ._arrays import Mesh, mesh_arrays
+from ._arrays import Mesh, mesh_arrays, read
 from ._errors import MeshError, NumberError, StoppedError
 from ._functions import Cut, branches, cutting_system, geodesic, harmonic, height, make_borders_level, pants, poisson
 from ._functions import Repaired, cut_along_levels, cut_to_disks, repair, unit_gradient
@@ -54,4 +55,4 @@ __version__ = _core.__version__
 __all__ = ["CriticalSet", "Cut", "Embedding", "Handles", "Loop", "Mesh", "MeshError", "NumberError", "ReebGraph"]
 __all__ += ["Repaired", "Skeleton", "StoppedError", "WithoutHandles", "branches", "compute", "cut_along_levels"]
 __all__ += ["cut_to_disks", "cutting_system", "geodesic", "handles", "harmonic", "height", "make_borders_level"]
-__all__ += ["mesh_arrays", "pants", "poisson", "remove_handles", "repair", "skeleton", "unit_gradient"]
+__all__ += ["mesh_arrays", "pants", "poisson", "read", "remove_handles", "repair", "skeleton", "unit_gradient"]

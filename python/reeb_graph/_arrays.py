@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import operator
 import os
+import warnings
 from typing import Any, Iterable, NamedTuple
 
 import numpy as np
 
+from . import _core
 from ._errors import MeshError
+from ._run import run
 
 LARGEST_NUMBER = 2**32 - 2  # of vertices
 LARGEST_NUMBER_OF_CELLS = 2**32 // 12
+MESH_ATTRIBUTES = ("faces", "cells_dict", "tetrahedra", "geometry", "GetPoints")
 ITEMS = {"triangles": "triangle", "edges": "edge", "tetrahedra": "tetrahedron"}  # in the rows of these arrays
 
 
@@ -177,14 +181,69 @@ def _cells_by_type(mesh: Any) -> dict[str, np.ndarray]:
     return cells
 
 
-def mesh_arrays(mesh: Any) -> Mesh:
-    """Take the arrays of a mesh of another package, by its attributes; none of them is imported.
+def read(file: str | os.PathLike[str], *, triangulate: bool = False) -> Mesh:
+    """Read a mesh file as the program does: OFF, OBJ, PLY, STL, TS, MESH, VTK, VTU, or VTP.
+
+    What the program says of the mesh, such as faces that are left out, is a UserWarning.
 
     Parameters
     ----------
-    mesh : trimesh.Trimesh, pyvista.PolyData, pyvista.UnstructuredGrid, meshio.Mesh, or alike
+    file : str or path
+    triangulate : bool
+        Whether faces that are not triangles are cut into triangles; without, they are a ValueError.
+
+    Returns
+    -------
+    Mesh
+        `point_data` has the numbers that PLY and VTK files have for their vertices.
+    """
+    os.stat(file)  # which says best what is wrong with its name
+    try:
+        *arrays, text = run(_core.read, os.fspath(file), bool(triangulate), name="reading")
+    except ValueError as error:
+        message = str(error).replace("--triangulate cuts", "reeb_graph.read(file, triangulate=True) cuts")
+        raise ValueError(message) from None
+    for line in text.splitlines():
+        warnings.warn(f"{os.fspath(file)}: {' '.join(line.split())}", stacklevel=2)
+    return Mesh(*arrays)
+
+
+def _vtk_cells(cells: Any, size: int, what: str) -> np.ndarray | None:
+    """Return the cells of a vtkCellArray as rows, if all of them have this size."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy  # type: ignore[import-untyped]
+
+    if cells.GetNumberOfCells() == 0:
+        return None
+    if np.any(np.diff(vtk_to_numpy(cells.GetOffsetsArray())) != size):
+        raise ValueError(f"the mesh has {what}: vtkTriangleFilter makes triangles and lines of all cells")
+    return vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, size)
+
+
+def _vtk_arrays(mesh: Any) -> Mesh:
+    """Take the arrays of a vtkPolyData; whoever has one has VTK."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    if mesh.GetStrips().GetNumberOfCells() > 0:
+        raise ValueError("the mesh has strips of triangles: vtkTriangleFilter makes triangles of them")
+    data = mesh.GetPointData()
+    arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays()) if data.GetArray(i) is not None]
+    points = vtk_to_numpy(mesh.GetPoints().GetData()) if mesh.GetNumberOfPoints() > 0 else np.zeros((0, 3))
+    return Mesh(
+        _vtk_cells(mesh.GetPolys(), 3, "faces that are not triangles"), points,
+        _vtk_cells(mesh.GetLines(), 2, "lines of more than two points"), None,
+        {array.GetName(): vtk_to_numpy(array) for array in arrays if array.GetName()},
+    )
+
+
+def mesh_arrays(mesh: Any) -> Mesh:
+    """Take the arrays of a mesh of another package, by its attributes; none of them is imported, but VTK for its own.
+
+    Parameters
+    ----------
+    mesh : trimesh.Trimesh, trimesh.Scene, pyvista.PolyData, pyvista.UnstructuredGrid, meshio.Mesh, vtkPolyData, or alike
         `vertices` and `faces`; or `points` and `faces`, with the number of vertices before those of each face; or
-        `points` and `cells_dict`, with triangles, tetrahedra and lines. Other cells are a ValueError.
+        `points` and `cells_dict`, with triangles, tetrahedra and lines. Other cells are a ValueError. A scene is all of
+        its meshes, in their places. The name of a file is one for `read`.
 
     Returns
     -------
@@ -193,6 +252,10 @@ def mesh_arrays(mesh: Any) -> Mesh:
     """
     if isinstance(mesh, Mesh):
         return mesh
+    if isinstance(mesh, (str, os.PathLike)):
+        return read(mesh)
+    if hasattr(mesh, "geometry") and hasattr(mesh, "dump"):  # a scene of trimesh
+        mesh = mesh.to_mesh() if hasattr(mesh, "to_mesh") else mesh.dump(concatenate=True)
     data = getattr(mesh, "point_data", getattr(mesh, "vertex_attributes", {}))
     points = getattr(mesh, "points", getattr(mesh, "vertices", None))
     if points is not None and hasattr(mesh, "cells_dict"):
@@ -202,27 +265,31 @@ def mesh_arrays(mesh: Any) -> Mesh:
         raise ValueError("the mesh has strips of triangles: triangulate it before, as triangulate() does")
     if points is not None and hasattr(mesh, "faces"):
         lines = _rows(getattr(mesh, "lines", ()), 2, "lines of more than two points")
-        return Mesh(_rows(mesh.faces, 3, "faces that are no triangles"), np.asarray(points), lines, None, data)
+        return Mesh(_rows(mesh.faces, 3, "faces that are not triangles"), np.asarray(points), lines, None, data)
+    if hasattr(mesh, "GetPolys"):
+        return _vtk_arrays(mesh)
     raise TypeError(
-        f"a {type(mesh).__name__} is no array of triangles, and no mesh: it has neither vertices and faces, nor points and "
-        "faces or cells_dict"
+        f"a {type(mesh).__name__} is not an array of triangles, and not a mesh: pass triangles and points as arrays, the "
+        "name of a file, or a mesh of trimesh, PyVista, meshio, or VTK (vtkPolyData), which has vertices and faces, or "
+        "points and faces or cells_dict"
     )
 
 
 def take(triangles: Any, points: Any = None, edges: Any = None, tetrahedra: Any = None) -> Mesh:
     """Return the arrays of a mesh, which stands in the place of the triangles, or those that are given."""
-    if isinstance(triangles, (str, os.PathLike)):
-        raise TypeError(f"{triangles!r} names a file, which is not read here: read it with trimesh or meshio first")
-    if not any(hasattr(triangles, name) for name in ("faces", "cells_dict", "tetrahedra")):
+    is_file = isinstance(triangles, (str, os.PathLike))
+    if not is_file and not any(hasattr(triangles, name) for name in MESH_ATTRIBUTES):
         return Mesh(triangles, points, edges, tetrahedra)
     given = {"points": points, "edges": edges, "tetrahedra": tetrahedra}
     return mesh_arrays(triangles)._replace(**{name: array for name, array in given.items() if array is not None})
 
 
 def scalars_of(mesh: Mesh, scalars: Any) -> Any:
-    """Return the scalars, or what the mesh has by this name."""
+    """Return the scalars, or what the mesh has by this name, or a coordinate."""
     if not isinstance(scalars, str):
         return scalars
+    if scalars not in mesh.point_data and scalars in ("x", "y", "z") and mesh.points is not None:
+        return mesh.points[:, "xyz".index(scalars)]
     if scalars not in mesh.point_data:
         raise ValueError(f"the mesh has no data {scalars!r} of its vertices")
     return mesh.point_data[scalars]

@@ -96,7 +96,7 @@ def geodesic(
     triangles: Any, points: Any = None, *, sources: Any = (), edges: Any = None, tetrahedra: Any = None,
     threads: int | None = None, progress: Progress = None,
 ) -> np.ndarray:
-    """Compute the distance on the surface from vertices; along edges, if the mesh is no oriented manifold surface.
+    """Compute the distance on the surface from vertices; along edges, if the mesh is not an oriented manifold surface.
 
     Parameters
     ----------

@@ -164,7 +164,7 @@ class ReebGraph:
 
         Pieces that have been removed get values next to that of their saddle, or, where no field has the graph
         otherwise, that value itself: then there is a warning, and `ties='contract'` gives the graph. If nothing has been
-        removed, it is the given field. It is a ValueError if the mesh is no surface, or loops have been cancelled, or the
+        removed, it is the given field. It is a ValueError if the mesh is not a surface, or loops have been cancelled, or the
         scalars are ranked.
         """
         if not self._simplification:
@@ -261,6 +261,7 @@ class ReebGraph:
         Notes
         -----
         What needs points or a surface that are not there is a ValueError, and a file that cannot be written an OSError.
+        What the format has no room for is a UserWarning.
         Pages, drawings, and meshes show large integers, which a double cannot hold, as differences from the least one;
         the name of the field tells so. Other files have the doubles next to the values.
         """
@@ -276,7 +277,8 @@ class ReebGraph:
         files.base = 0 if is_seen else float(base)
         files.name = f"{name} - {base}" if is_seen and base != 0 else name
         files.title, files.unit, files.embedding = title, unit, _manner(embedding)
-        self._run("write", files, progress=progress)
+        for note in json.loads(self._run("write", files, progress=progress))["notes"]:
+            warnings.warn(note, stacklevel=2)
 
     def show(self, **options: Any) -> Path:
         """Show the page in the browser. Returns its file, a temporary one. `options` are those of `write`."""
@@ -425,12 +427,12 @@ def compute(
 
     Parameters
     ----------
-    triangles : (m, 3) array of integers, a mesh, or None
-        The numbers of the vertices of each triangle. Or a mesh of another package, as `mesh_arrays` takes it, whose
-        points, edges and tetrahedra are those that are not given.
+    triangles : (m, 3) array of integers, a mesh, the name of a file, or None
+        The numbers of the vertices of each triangle. Or a file, as `read` takes it, or a mesh of another package, as
+        `mesh_arrays` does, whose points, edges and tetrahedra are those that are not given.
     scalars : (n,) array of real numbers
         The value of each vertex: n is the number of vertices. Large integers, which a double cannot hold, are compared
-        as they are. With a mesh, it can be the name of its data.
+        as they are. With a mesh, it can be the name of its data, or x, y, or z.
     points : (n, 3) array of real numbers, optional
         The points of the vertices, which contours and pictures need; the third coordinate may be left out.
     edges : (k, 2) array of integers, optional

@@ -8,9 +8,9 @@
 
 #include "objects.h"
 
+#include "base/vertex_properties.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
-#include "computation/complex_counts.h"
 #include "computation/curves.h"
 #include "computation/distances_along_edges.h"
 #include "computation/handles.h"
@@ -20,6 +20,8 @@
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "computation/skeleton.h"
+#include "input/field_input.h"
+#include "input/mesh_formats.h"
 #include "input/mesh_input.h"
 #include "input/repair_soup.h"
 #include "input/threshold_input.h"
@@ -82,7 +84,7 @@ Graph_pointer compute(const Mesh_arrays& arrays,
   graph->options.are_degree_two_nodes_kept = are_degree_two_nodes_kept;
   run([&] {
     Input& input = *graph->input;
-    input.mesh = make_mesh(soup, "the mesh");
+    input.mesh = make_mesh(soup);
     soup = Polygon_soup();
     input.scalar_map = add_map(input.mesh.surface, "v:scalar", &scalars);
     graph->mesh_graph = compute_mesh_graph(input.mesh, input.scalar_map, graph->options, {}, 0, graph->report);
@@ -225,7 +227,7 @@ std::string write(Graph_of_arrays& graph, Compute_options options)
   options.is_table_wanted = false;
   check(options);
   if(input.mesh.complex)
-    check_for_complex(options, *input.mesh.complex);
+    check_for_complex(options, input.mesh);
   Report report = graph.report;
   write_results(options, input.mesh, input.scalar_map, *graph.mesh_graph, report);
   std::ostringstream stream;
@@ -246,9 +248,9 @@ std::vector<double> values_of(const Scalar_map& map) { return {map.begin(), map.
 
 Mesh make_surface(const Polygon_soup& soup, const std::string& what)
 {
-  Mesh mesh = make_mesh(soup, "the mesh");
+  Mesh mesh = make_mesh(soup);
   if(mesh.complex)
-    throw std::runtime_error(what + " needs an oriented manifold surface; " + describe_obstacle(*mesh.complex));
+    throw std::runtime_error(what + " needs an oriented manifold surface; " + describe_obstacle(mesh));
   return mesh;
 }
 
@@ -266,7 +268,7 @@ py::object field(const Mesh_arrays& arrays,
   std::vector<double> values;
   run([&] {
     const bool is_for_complexes = options.field == "geodesic" || options.field == "height";
-    Mesh mesh = is_for_complexes ? make_mesh(soup, "the mesh") : make_surface(soup, "the field " + options.field);
+    Mesh mesh = is_for_complexes ? make_mesh(soup) : make_surface(soup, "the field " + options.field);
     const Scalar_map map = add_map(mesh.surface, "v:scalar", given);
     Work_report report;
     if(options.field == "with level borders")
@@ -445,6 +447,31 @@ py::object remove(const Mesh_arrays& arrays,
                         to_object(columns_of(properties)), rows);
 }
 
+// Triangles, points, edges and tetrahedra of a file, the names and numbers of what it has for its vertices, and what the
+// program says of it, line by line.
+py::object read(const std::string& path, bool are_faces_triangulated, Run& run)
+{
+  Mesh mesh;
+  std::vector<Any_vertex_property> properties;
+  std::ostringstream text;
+  run([&] {
+    mesh = read_mesh(path, are_faces_triangulated, "");
+    properties = read_vertex_properties(path, mesh.surface);
+    Work_report report;
+    report.input = mesh.findings;
+    report.notes = mesh.notes;
+    write_input_text(text, report);
+  });
+  py::dict data;
+  visit_vertex_properties(mesh.surface, [&](const std::string& name, const auto& map) {
+    typedef typename std::decay_t<decltype(map)>::value_type Number;
+    data[name.c_str()] = py::array_t<Number>(static_cast<py::ssize_t>(mesh.surface.number_of_vertices()), map.data());
+  });
+  const Complex complex = mesh.complex.value_or(Complex());
+  return py::make_tuple(to_object(triangles_of(mesh)), to_object(points_of(mesh.surface)), to_object(complex.edges),
+                        to_object(complex.tetrahedra), data, text.str());
+}
+
 // Triangles, points, and the new number of each given one, -1 for none.
 py::object repair(const Mesh_arrays& arrays, std::size_t number_of_points, const Repair_options& options, Run& run)
 {
@@ -542,6 +569,7 @@ void add_functions(py::module_& module)
     .value("pants", Curves_type::PANTS)
     .value("branches", Curves_type::BRANCH);
   py::class_<Repair_options>(module, "RepairOptions").def(py::init<bool, std::optional<double>, bool, bool, bool>());
+  module.def("read", &read);
   module.def("repair", &repair);
   module.def("handles", &handles);
   module.def("remove_handles", &remove);

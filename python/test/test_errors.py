@@ -25,7 +25,7 @@ def changed(array, index, value):
 
 WRONG = [
     ((POINTS, SCALARS), TypeError, "looks like points"),
-    (("scan.ply", "z"), TypeError, "names a file"),
+    (("scan.ply", "z"), FileNotFoundError, "scan.ply"),
     ((TRIANGLES[:, :2], SCALARS), ValueError, "shape"),
     ((TRIANGLES.ravel(), SCALARS), ValueError, "shape"),
     ((TRIANGLES.astype(str), SCALARS), TypeError, "dtype"),

@@ -290,8 +290,10 @@ def test_meshes_of_other_packages(torus):
         reeb_graph.compute(types.SimpleNamespace(points=points, faces=np.array([4, 0, 1, 2, 3])), scalars)
     with pytest.raises(ValueError, match="hexahedron"):
         reeb_graph.compute(types.SimpleNamespace(points=points, cells_dict={"hexahedron": 0}), 0)
-    with pytest.raises(TypeError):
+    with pytest.raises(FileNotFoundError):
         reeb_graph.mesh_arrays(Path("mesh.off"))
+    with pytest.raises(TypeError, match="pass triangles and points as arrays"):
+        reeb_graph.mesh_arrays(3)
 
 
 def test_contours_keep_their_attributes(torus):

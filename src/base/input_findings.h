@@ -10,7 +10,6 @@
 #define CGAL_REEB_GRAPH_SRC_INPUT_FINDINGS_H
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,17 +25,19 @@ struct Close_points
   bool is_any() const { return coinciding + close > 0; }
 };
 
-// What was seen when a mesh was read. Faces with a repeated corner, and those that repeat an earlier one in the same
-// orientation, are left out.
+// What was seen when a mesh was read. Faces with a repeated corner or fewer than three, and those that repeat an earlier
+// one in the same orientation, are left out; they have their numbers in the file.
 struct Input_findings
 {
   std::size_t faces = 0;                     // of the file
-  std::vector<std::size_t> degenerate_faces; // those with a repeated corner, by their numbers in the file
-  std::size_t repeated_faces = 0;
-  std::optional<std::size_t> first_repeated_face;
-  Close_points points;
+  std::vector<std::size_t> degenerate_faces; // those with a repeated corner, or fewer than three
+  std::vector<std::size_t> repeated_faces;
+  std::size_t faces_of_few_corners = 0;        // of the degenerate ones, those with fewer than three
+  std::size_t points = 0, isolated_points = 0; // of no face, edge, or tetrahedron
+  Close_points close_points;
 
-  std::size_t kept_faces() const { return faces - degenerate_faces.size() - repeated_faces; }
+  bool is_point_cloud() const { return points > 0 && isolated_points == points; }
+  std::size_t kept_faces() const { return faces - degenerate_faces.size() - repeated_faces.size(); }
 };
 
 // The command that merges the points, empty if there are none.

@@ -9,6 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_SRC_OPTIONS_H
 #define CGAL_REEB_GRAPH_SRC_OPTIONS_H
 
+#include "base/standard_input.h"
+
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <cstddef>
@@ -21,7 +23,7 @@ namespace reeb_graph_program {
 // The mesh and the field that it carries.
 struct Input_options
 {
-  std::string mesh_path;
+  std::string mesh_path;    // - for standard input, as below
   std::string scalars_path; // the field, or the one whose unit gradient field is taken; may be empty
   std::string column;       // of the file of scalars, by its name or number; empty if there is only one
   // x, y, z, a name of scalar_fields.h, or a property of the vertices of the file; empty if the field is that of the
@@ -34,10 +36,9 @@ struct Input_options
   bool are_faces_triangulated = false;
 };
 
-// The files that are read. A path is empty if there is none.
 inline std::vector<std::filesystem::path> input_files(const Input_options& options)
 {
-  return {options.mesh_path, options.scalars_path};
+  return input_files(options.mesh_path, options.scalars_path);
 }
 
 // What decides the graph. The same options give the same numbers of nodes and arcs.

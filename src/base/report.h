@@ -208,7 +208,7 @@ struct Repair_report : Work_report
   Repair_counts counts;
   std::size_t lines_left_out = 0;       // of the file
   std::vector<Merged_field> fields;     // that have been written
-  std::vector<std::string> lost_fields; // for which the format has no room
+  std::vector<std::string> lost_fields; // that are not kept
 };
 
 struct Handles_report : Work_report

@@ -17,15 +17,39 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 // The options that commands and programs share.
 namespace reeb_graph_program {
+inline void add_format_option(CLI::App& command)
+{
+  static const std::vector<std::string> formats = {"off", "obj", "ply", "stl", "ts",  "mesh",
+                                                   "vtk", "vtu", "vtp", "txt", "csv", "npy"};
+  const auto set_format = [](const std::string& format) {
+    const std::string name = lower_case(format[0] == '.' ? format.substr(1) : format);
+    if(std::find(formats.begin(), formats.end(), name) == formats.end())
+      throw CLI::ValidationError("--format", quote(format)
+                                               + " is not a format that is read: those of meshes are off, "
+                                                 "obj, ply, stl, ts, mesh, vtk, vtu, and vtp, those of "
+                                                 "fields are txt, csv, and npy");
+    extension_of_standard_input() = '.' + name;
+  };
+  command
+    .add_option_function<std::string>("--format", set_format,
+                                      "The format of what is read from standard input, -: that of a mesh as files have "
+                                      "it in their names, or txt (the default), csv, or npy of --scalars")
+    ->type_name("NAME");
+}
+
 inline void add_mesh_file(CLI::App& command, std::string& path, bool& are_faces_triangulated)
 {
-  add_file(command, "MESH", path, "The mesh: an OFF, OBJ, PLY, STL, TS, MESH, VTK, VTU, or VTP file")->required();
+  add_file(command, "MESH", path,
+           "The mesh: an OFF, OBJ, PLY, STL, TS, MESH, VTK, VTU, or VTP file, or - for standard input")
+    ->required();
+  add_format_option(command);
   command.add_flag("--triangulate", are_faces_triangulated, "Cut faces that are not triangles into triangles");
 }
 
@@ -35,7 +59,8 @@ inline void add_input_options(CLI::App& command, Input_options& options)
   add_mesh_file(command, options.mesh_path, options.are_faces_triangulated);
   begin_group(command, "Field");
   add_file(command, "--scalars", options.scalars_path,
-           "A file with the field: one number per line, in the vertex order of the mesh file, or CSV, or NumPy's .npy");
+           "A file with the field: one number per line, in the vertex order of the mesh file, or CSV, or NumPy's .npy; "
+           "- for standard input");
   command.add_option("--column", options.column,
                      "The column of a CSV file with several columns: its name, or its number from 0");
   add_whole_number(command, "--min", options.lowest_vertex,

@@ -121,7 +121,7 @@ struct Demo_options
 
 // Parts of run_compute(): throw std::runtime_error if what is asked for does not go together, or not with the mesh.
 void check(const Compute_options& options);
-void check_for_complex(const Compute_options& options, const Complex& complex);
+void check_for_complex(const Compute_options& options, const Mesh& mesh);
 
 // A part of run_compute(): writes the files that are asked for, and completes the report.
 void write_results(const Compute_options& options,

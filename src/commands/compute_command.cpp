@@ -123,7 +123,7 @@ std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_optio
   if(!options.vertex_arcs_path.empty())
     write_vertex_arcs(options.vertex_arcs_path, graph.places(), number_of_nodes);
   if(!options.mesh_path.empty())
-    write_mesh(options.mesh_path, mesh, {scalar_map, graph.places(), number_of_nodes, std::nullopt});
+    write_mesh(options.mesh_path, mesh, {scalar_map, graph.places(), number_of_nodes, std::nullopt}, report.notes);
   std::optional<Graph> copy;
   if(embedding)
     write_graph_in_space(options.graph_path, with_base(graph.result(), options.base, copy), *embedding, attributes,
@@ -155,12 +155,10 @@ void write_page_file(const Compute_options& options,
   if(options.page_path.empty())
     return;
   const Stopwatch stopwatch;
-  write_page(
-    options.page_path,
-    {scalar_map, graph,
-     options.title.empty() ? std::filesystem::path(options.input.mesh_path).filename().string() : options.title,
-     field_label(options.input, options.unit), options.simplification, options.up, std::nullopt, loops.polylines,
-     loops.rows});
+  write_page(options.page_path,
+             {scalar_map, graph, options.title.empty() ? name_of_input(options.input.mesh_path) : options.title,
+              field_label(options.input, options.unit), options.simplification, options.up, std::nullopt,
+              loops.polylines, loops.rows});
   report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
@@ -232,16 +230,16 @@ void check(const Compute_options& options)
 }
 
 // What is for surfaces only. PLY and VTP files of meshes hold no tetrahedra.
-void check_for_complex(const Compute_options& options, const Complex& complex)
+void check_for_complex(const Compute_options& options, const Mesh& mesh)
 {
   const auto check_left_out = [&](bool is_left_out, const std::string& option) {
     if(!is_left_out)
       throw Input_error(options.input.mesh_path,
-                        option + " needs an oriented manifold surface; " + describe_obstacle(complex));
+                        option + " needs an oriented manifold surface; " + describe_obstacle(mesh));
   };
   check_left_out(options.page_path.empty(), "--html");
   check_left_out(options.simplified_scalars_path.empty(), "--simplified-scalars");
-  if(!options.mesh_path.empty() && !complex.tetrahedra.empty())
+  if(!options.mesh_path.empty() && !mesh.complex->tetrahedra.empty())
     throw Input_error(options.input.mesh_path, "--mesh-out writes triangles, and the mesh has tetrahedra: "
                                                "--vertex-arcs writes where each vertex belongs");
 }
@@ -290,7 +288,7 @@ void run_compute(const Compute_options& options)
   Report report;
   Mesh mesh = read_mesh(options.input, report);
   if(mesh.complex)
-    check_for_complex(options, *mesh.complex);
+    check_for_complex(options, mesh);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
   Graph_options graph_options = options.graph;
   graph_options.are_places_wanted = are_places_wanted(options, !mesh.complex);

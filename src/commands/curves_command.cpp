@@ -91,24 +91,6 @@ std::vector<std::filesystem::path> output_files(const Curves_options& options)
   return paths;
 }
 
-void write_patches(const std::filesystem::path& path, const Surface& surface, Patch_map patch_map)
-{
-  write_file(path, [&](std::ostream& stream) {
-    for(const Surface::Face_index f : surface.faces())
-      stream << patch_map[f] << '\n';
-  });
-}
-
-void write_vertex_map(const std::filesystem::path& path,
-                      const Surface& surface,
-                      const Vertex_property<std::int32_t>& original_map)
-{
-  write_file(path, [&](std::ostream& stream) {
-    for(const Surface::Vertex_index v : surface.vertices())
-      stream << original_map[v] << '\n';
-  });
-}
-
 // Whether curves are written with the arcs that they belong to.
 bool are_arcs_written(const Curves_options& options)
 {
@@ -129,16 +111,31 @@ bool is_field_needed(const Curves_options& options)
       || !options.input.scalars_path.empty() || options.simplification.is_anything_removed();
 }
 
-void write_files(const Curves_options& options, const Surface& surface, const Cut_result& result)
+// What has been asked for in other files need not be in that of the mesh.
+void note_lost_maps(const Curves_options& options, const Cut_result& result, Notes& notes)
+{
+  if(options.cut_mesh_path.empty() || has_room_for_numbers(options.cut_mesh_path))
+    return;
+  std::vector<std::string> things;
+  if(options.patches_path.empty())
+    things.emplace_back("patches");
+  if(result.band_map)
+    things.emplace_back("bands");
+  if(result.original_map && options.vertex_map_path.empty())
+    things.emplace_back("numbers of original vertices");
+  note_left_out(options.cut_mesh_path, things, notes);
+}
+
+void write_files(const Curves_options& options, const Surface& surface, const Cut_result& result, Notes& notes)
 {
   if(!options.vertex_map_path.empty())
-    write_vertex_map(options.vertex_map_path, surface, *result.original_map);
+    write_integers(options.vertex_map_path, {result.original_map->begin(), result.original_map->end()});
   if(!options.curves_path.empty() && !are_arcs_written(options))
     write_polylines(options.curves_path, result.polylines);
   if(!options.cut_mesh_path.empty())
-    write_surface_with_patches(options.cut_mesh_path, surface, result.patch_map);
+    write_surface_with_patches(options.cut_mesh_path, surface, result.patch_map, notes);
   if(!options.patches_path.empty())
-    write_patches(options.patches_path, surface, result.patch_map);
+    write_integers(options.patches_path, {result.patch_map.begin(), result.patch_map.end()});
 }
 
 void write_graph_file(const Curves_options& options, Mesh_graph& graph)
@@ -163,7 +160,7 @@ void write_page_of_curves(const Curves_options& options,
                           Curves_report& report)
 {
   const Stopwatch stopwatch;
-  Page_request request = {scalar_map, graph, std::filesystem::path(options.input.mesh_path).filename().string(),
+  Page_request request = {scalar_map, graph, name_of_input(options.input.mesh_path),
                           field_label(options.input, options.unit)};
   request.up = options.up;
   request.patch_map = patch_map;
@@ -209,7 +206,8 @@ void write_files_of_graph(const Curves_options& options,
     const Stopwatch stopwatch;
     write_mesh(options.mesh_path, mesh.surface,
                {scalar_map, graph->places(), num_vertices(graph->result()), result.patch_map, result.band_map,
-                result.original_map});
+                result.original_map},
+               report.notes);
     report.add_seconds("mesh", stopwatch.seconds());
   }
   if(!options.page_path.empty())
@@ -261,8 +259,9 @@ void simplify(const Mesh& mesh, Scalar_map scalar_map, const Simplification_opti
 
 Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& options, Curves_report& report)
 {
-  std::vector<Any_vertex_property> properties =
-    properties_to_keep(options.input.mesh_path, options.cut_mesh_path, surface);
+  std::vector<Any_vertex_property> properties;
+  if(!options.cut_mesh_path.empty())
+    properties = properties_to_keep(options.input.mesh_path, options.cut_mesh_path, surface, report.notes);
   if(options.cut.type == Curves_type::DISKS)
   {
     if(is_field_needed(options))
@@ -332,7 +331,8 @@ void run_curves(Curves_options options)
   report.add_seconds("cut", cut_stopwatch.seconds());
   const Stopwatch output_stopwatch;
   Output_group files;
-  write_files(options, surface, result);
+  write_files(options, surface, result, report.notes);
+  note_lost_maps(options, result, report.notes);
   report.add_seconds("output", output_stopwatch.seconds());
   if(is_whole_shown)
   {

@@ -62,7 +62,7 @@ void run_demo(const Demo_options& options)
   count_all(surface, graph, report);
 
   Output_group files;
-  write_surface(folder / "surface.off", surface);
+  write_surface(folder / "surface.off", surface, report.notes);
   write_scalars(folder / "scalars.txt", surface, scalar_map);
   write_coloured_surface(folder / "surface_coloured.ply", surface, scalar_map);
   const Field_label field_label = {"height", "m"};

@@ -62,11 +62,11 @@ std::vector<std::filesystem::path> check_options(const Handles_options& options)
 void remove(const Handles_options& options, Surface& surface, Scalar_map scalar_map, Handles_report& report)
 {
   const Stopwatch stopwatch;
-  report.removals =
-    remove_handles(surface, scalar_map, properties_to_keep(options.input.mesh_path, options.mesh_path, surface),
-                   options.size_to_remove.value_or(std::numeric_limits<double>::infinity()),
-                   options.number_to_remove.value_or((std::numeric_limits<std::size_t>::max)()),
-                   options.are_self_intersections_ignored);
+  report.removals = remove_handles(
+    surface, scalar_map, properties_to_keep(options.input.mesh_path, options.mesh_path, surface, report.notes),
+    options.size_to_remove.value_or(std::numeric_limits<double>::infinity()),
+    options.number_to_remove.value_or((std::numeric_limits<std::size_t>::max)()),
+    options.are_self_intersections_ignored);
   report.add_seconds("removal", stopwatch.seconds());
 }
 
@@ -81,8 +81,7 @@ void write_page_of_loops(const Handles_options& options,
   graph_options.are_places_wanted = true;
   Report unused;
   const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
-  Page_request request = {
-    scalar_map, *graph, std::filesystem::path(options.input.mesh_path).filename().string(), {field, options.unit}};
+  Page_request request = {scalar_map, *graph, name_of_input(options.input.mesh_path), {field, options.unit}};
   request.up = options.up;
   request.curves = loops.polylines;
   request.loops = loops.rows;
@@ -116,7 +115,7 @@ void run_handles(const Handles_options& options)
   const Stopwatch output_stopwatch;
   Output_group files;
   if(!options.mesh_path.empty())
-    write_surface(options.mesh_path, surface);
+    write_surface(options.mesh_path, surface, report.notes);
   if(!options.loops_path.empty())
     write_loops(options.loops_path, loops);
   if(!options.page_path.empty())

@@ -22,9 +22,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -32,11 +32,6 @@
 
 namespace reeb_graph_program {
 namespace {
-bool has_room_for_fields(const std::filesystem::path& path)
-{
-  return path.extension() == ".ply" || path.extension() == ".vtp";
-}
-
 // How much a field of the given vertices differs where they have become one.
 template <class Map>
 Merged_field compare(const std::string& name, const Map& field, const Repair_result& result)
@@ -64,13 +59,16 @@ void add_fields(const Repair_command_options& options,
                 Surface& surface,
                 Repair_report& report)
 {
+  const bool has_room = has_room_for_numbers(options.output_path);
+  report.lost_fields = fields_not_kept(options.mesh_path, has_room);
+  note_lost_parts(options.output_path, options.mesh_path, report.notes);
+  if(!has_room)
+    return;
   Surface given;
   for(std::size_t i = 0; i < result.new_vertices.size(); ++i)
     given.add_vertex(Point(0, 0, 0));
   read_vertex_properties(options.mesh_path, given);
   visit_vertex_properties(given, [&](const std::string& name, const auto& field) {
-    if(!has_room_for_fields(options.output_path))
-      return report.lost_fields.push_back(name);
     typedef typename std::decay_t<decltype(field)>::value_type Number;
     const auto map = surface.add_property_map<Surface::Vertex_index, Number>("v:" + name).first;
     for(const Surface::Vertex_index v : surface.vertices())
@@ -79,13 +77,12 @@ void add_fields(const Repair_command_options& options,
   });
 }
 
-void write_map(std::ostream& stream, const std::vector<std::size_t>& new_vertices)
+std::vector<std::int64_t> map_of(const std::vector<std::size_t>& new_vertices)
 {
+  std::vector<std::int64_t> map;
   for(const std::size_t v : new_vertices)
-    if(v == no_vertex)
-      stream << "-1\n";
-    else
-      stream << v << '\n';
+    map.push_back(v == no_vertex ? -1 : static_cast<std::int64_t>(v));
+  return map;
 }
 
 } // namespace
@@ -94,7 +91,7 @@ void run_repair(const Repair_command_options& options)
 {
   check_mesh_format(options.output_path);
   const std::vector<std::filesystem::path> outputs = {options.output_path, options.map_path};
-  check_outputs(outputs, {options.mesh_path});
+  check_outputs(outputs, input_files(options.mesh_path, ""));
   Repair_report report;
   const Stopwatch stopwatch;
   std::optional<Progress_bar> progress_bar(std::in_place, "reading");
@@ -104,8 +101,8 @@ void run_repair(const Repair_command_options& options)
     throw Input_error(options.mesh_path, "repair is for faces, and the mesh has tetrahedra");
   leave_out_repeated_faces(soup.polygons, findings);
   if(options.are_faces_triangulated)
-    triangulate_faces(soup, options.mesh_path);
-  findings.points = count_close_points(soup.points, border_points(soup.polygons));
+    triangulate_faces(soup, options.mesh_path, findings);
+  look_over_points(soup, border_points(soup.polygons), findings);
   report.input = findings;
   report.notes = soup.notes;
   report.lines_left_out = soup.edges.size();
@@ -119,9 +116,9 @@ void run_repair(const Repair_command_options& options)
   report.add_seconds("repair", repair_stopwatch.seconds());
   const Stopwatch output_stopwatch;
   Output_group files;
-  write_surface(options.output_path, surface);
+  write_surface(options.output_path, surface, report.notes);
   if(!options.map_path.empty())
-    write_file(options.map_path, [&](std::ostream& stream) { write_map(stream, result.new_vertices); });
+    write_integers(options.map_path, map_of(result.new_vertices));
   files.put_in_place();
   report.add_seconds("output", output_stopwatch.seconds());
   if(options.is_report_json)

@@ -57,7 +57,7 @@ void write_page_of_skeleton(const Skeleton_command_options& options,
   const auto& known = report.skeleton.certificate;
   Page_request request = {scalar_map,
                           *graph,
-                          std::filesystem::path(options.input.mesh_path).filename().string() + ": skeleton with "
+                          name_of_input(options.input.mesh_path) + ": skeleton with "
                             + count(known.number_of_ends, "end") + ", " + count(known.number_of_loops, "loop"),
                           {report.field, options.unit}};
   request.up = options.up;
@@ -91,7 +91,10 @@ void run_skeleton(const Skeleton_command_options& options)
   const Stopwatch output_stopwatch;
   Output_group files;
   for(const std::string& path : options.output_paths)
+  {
     write_skeleton(path, report.skeleton);
+    note_lost_parts(path, report.skeleton, report.notes);
+  }
   if(!options.page_path.empty())
     write_page_of_skeleton(options, mesh, *scalar_map, report);
   files.put_in_place();

@@ -159,7 +159,7 @@ public:
     if constexpr(std::is_same_v<Any_augmentation, Augmentation>)
       return augmentation();
     else
-      throw std::logic_error("the mesh is no surface");
+      throw std::logic_error("the mesh is not a surface");
   }
 
   std::vector<Contour> find_contours(const Contour_choice& choice) override

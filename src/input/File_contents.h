@@ -26,6 +26,11 @@ class File_contents
 public:
   explicit File_contents(const std::string& path)
   {
+    if(is_standard_input(path))
+    {
+      text_ = contents_of_standard_input();
+      return;
+    }
     std::ifstream file(path, std::ios::binary);
     if(!file || std::filesystem::is_directory(path))
       throw Input_error(path, "the file cannot be read");

@@ -56,20 +56,20 @@ Scalar_map add_given_field(const Input_options& options, Surface& surface, Work_
   return scalar_map;
 }
 
-// What repair can do so that the mesh is a surface, as the end of a message.
-std::string way_out(const Mesh& mesh)
+} // namespace
+
+std::string describe_obstacle(const Mesh& mesh)
 {
   const Complex& complex = *mesh.complex;
-  if(mesh.findings.points.is_any())
-    return "; " + std::to_string(mesh.findings.points.coinciding + mesh.findings.points.close)
-         + " points of borders coincide with others, or nearly: " + suggested_repair(mesh.findings.points)
+  const std::string obstacle = describe_obstacle(complex);
+  if(mesh.findings.close_points.is_any())
+    return obstacle + "; " + std::to_string(mesh.findings.close_points.coinciding + mesh.findings.close_points.close)
+         + " points of borders coincide with others, or nearly: " + suggested_repair(mesh.findings.close_points)
          + " merges them";
   return complex.tetrahedra.empty() && complex.edges.empty() && complex.duplicate_faces == 0
-         ? "; reeb_graph repair --split cuts the mesh open there"
-         : "";
+         ? obstacle + "; reeb_graph repair --split cuts the mesh open there"
+         : obstacle;
 }
-
-} // namespace
 
 Mesh read_mesh(const Input_options& options, Work_report& report)
 {
@@ -81,8 +81,8 @@ Mesh read_mesh(const Input_options& options, Work_report& report)
   report.notes.insert(report.notes.end(), mesh.notes.begin(), mesh.notes.end());
   report.input = mesh.findings;
   if(mesh.complex && is_computed(options.field) && options.field != "height" && options.field != "geodesic")
-    throw Input_error(options.mesh_path, "the field " + options.field + " needs an oriented manifold surface; "
-                                           + describe_obstacle(*mesh.complex) + way_out(mesh));
+    throw Input_error(options.mesh_path,
+                      "the field " + options.field + " needs an oriented manifold surface; " + describe_obstacle(mesh));
   return mesh;
 }
 
@@ -90,8 +90,7 @@ Surface read_surface(const Input_options& options, Work_report& report)
 {
   Mesh mesh = read_mesh(options, report);
   if(mesh.complex)
-    throw Input_error(options.mesh_path,
-                      "the mesh is no oriented manifold surface; " + describe_obstacle(*mesh.complex) + way_out(mesh));
+    throw Input_error(options.mesh_path, "the mesh is not an oriented manifold surface; " + describe_obstacle(mesh));
   return std::move(mesh.surface);
 }
 
@@ -125,7 +124,8 @@ Field_label field_label(const Input_options& options, const std::string& unit)
   if(!options.field.empty())
     return {options.field, unit};
   const bool is_column_named = options.column.find_first_not_of("0123456789") != std::string::npos;
-  return {is_column_named ? options.column : std::filesystem::path(options.scalars_path).stem().string(), unit};
+  return {is_column_named ? options.column : std::filesystem::path(name_of_input(options.scalars_path)).stem().string(),
+          unit};
 }
 
 } // namespace reeb_graph_program

@@ -25,6 +25,9 @@ Mesh read_mesh(const Input_options& options, Work_report& report);
 // The same for a mesh that has to be an oriented manifold surface.
 Surface read_surface(const Input_options& options, Work_report& report);
 
+// Why the mesh is not an oriented manifold surface, and what repairs it.
+std::string describe_obstacle(const Mesh& mesh);
+
 // How the field is called in the input: by its name, or by that of its column or file.
 Field_label field_label(const Input_options& options, const std::string& unit);
 

@@ -21,6 +21,7 @@ namespace reeb_graph_program {
 struct Field_names
 {
   std::vector<std::string> of_vertices, of_cells;
+  std::vector<std::string> others_of_vertices; // those of them that are not one number for each vertex
 
   void add(bool is_of_cells, const std::string& name, std::size_t numbers_per_item)
   {
@@ -29,6 +30,8 @@ struct Field_names
     if(numbers_per_item != 1)
       shown += " (" + std::to_string(numbers_per_item) + " numbers)";
     (is_of_cells ? of_cells : of_vertices).push_back(shown);
+    if(!is_of_cells && numbers_per_item != 1)
+      others_of_vertices.push_back(shown);
   }
 
   // `cells` is what they are called.

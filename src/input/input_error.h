@@ -9,6 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_SRC_INPUT_ERROR_H
 #define CGAL_REEB_GRAPH_SRC_INPUT_ERROR_H
 
+#include "base/standard_input.h"
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -19,9 +21,11 @@ namespace reeb_graph_program {
 class Input_error : public std::runtime_error
 {
 public:
-  Input_error(const std::string& path, const std::string& message) : std::runtime_error(path + ": " + message) {}
+  Input_error(const std::string& path, const std::string& message)
+    : std::runtime_error((is_standard_input(path) ? name_of_input(path) : path) + ": " + message)
+  {}
   Input_error(const std::string& path, std::size_t line, const std::string& message)
-    : std::runtime_error(path + ":" + std::to_string(line) + ": " + message)
+    : Input_error((is_standard_input(path) ? name_of_input(path) : path) + ":" + std::to_string(line), message)
   {}
 };
 

@@ -105,7 +105,7 @@ void read_section(Text_input& input, const std::string& section, Polygon_soup& s
   };
   if(numbers == 0 && !has_cells())
     input.fail(quote(section)
-               + " is no section that is read: cells are edges, triangles, quadrilaterals, or tetrahedra");
+               + " is not a section that is read: cells are edges, triangles, quadrilaterals, or tetrahedra");
   for(auto size = next_number<std::size_t>(input); size > 0; --size)
   {
     if(section == "Vertices")

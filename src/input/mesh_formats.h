@@ -10,8 +10,8 @@
 #define CGAL_REEB_GRAPH_SRC_MESH_FORMATS_H
 
 #include "input/Polygon_soup.h"
+#include "input/field_names.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -34,10 +34,12 @@ std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& p
 // The same of a PLY or VTK file, none for others.
 std::vector<Any_vertex_property> read_vertex_properties(const std::string& path, Surface& surface);
 
-// The same if the file that is going to be written has room for them, .ply or .vtp; or else none.
-std::vector<Any_vertex_property> properties_to_keep(const std::string& path,
-                                                    const std::filesystem::path& output,
-                                                    Surface& surface);
+// The names of what a PLY or VTK file has for its vertices and faces that is not kept in another file: fields of vertices
+// if there is no room for them, and what is not one number for each vertex.
+std::vector<std::string> fields_not_kept(const std::string& path, bool has_room);
+
+// The same of what OBJ and OFF files have: normals, textures, materials, colors.
+std::vector<std::string> parts_not_kept(const std::string& path);
 // STL, ASCII or binary. Corners at the same point are one vertex.
 Polygon_soup read_stl(const std::string& path);
 // TS of GOCAD: the triangles of its surfaces.
@@ -50,8 +52,8 @@ Polygon_soup read_medit(const std::string& path);
 // compressed by zlib: unstructured grids of cells of the types 1 to 10, and polygonal data. `vertex_property` is the name
 // of numbers of the points that become Polygon_soup::scalars, or empty.
 Polygon_soup read_vtk(const std::string& path, const std::string& vertex_property);
-// All arrays of one number for each point.
-std::vector<Vertex_field> read_vtk_fields(const std::string& path);
+// All arrays of one number for each point, and the names of all.
+std::vector<Vertex_field> read_vtk_fields(const std::string& path, Field_names& names);
 
 } // namespace reeb_graph_program
 

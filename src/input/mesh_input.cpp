@@ -36,7 +36,7 @@ namespace reeb_graph_program {
 namespace {
 Polygon_soup read_soup(const std::string& path, const std::string& vertex_property)
 {
-  if(!std::ifstream(path) || !std::filesystem::is_regular_file(path))
+  if(!is_standard_input(path) && (!std::ifstream(path) || !std::filesystem::is_regular_file(path)))
     throw Input_error(path, "the file cannot be read");
   const std::string extension = lower_case_extension(path);
   if(extension == ".ply")
@@ -78,8 +78,6 @@ void check_polygons(const std::string& path, const Polygon_soup& soup, bool are_
     for(const Corner v : polygon)
       if(v >= soup.points.size())
         fail(i, " has a vertex that does not exist");
-    if(polygon.size() < 3)
-      fail(i, " has fewer than three vertices");
     if(polygon.size() > 3 && !are_faces_triangulated)
       fail(i, " has " + std::to_string(polygon.size())
                 + " vertices and is not a triangle; --triangulate cuts such faces into triangles");
@@ -161,50 +159,12 @@ bool make_surface(const Polygon_soup& soup, Surface& surface)
   return orient(oriented) && assemble_surface(oriented, surface);
 }
 
-// Face i of the surface is that of the file with the i-th of the numbers; with its own one if there are none.
-void triangulate(const std::string& path, const std::vector<std::size_t>& faces_of_file, Surface& surface)
-{
-  triangulate_faces(surface);
-  for(const Surface::Face_index f : surface.faces())
-    if(surface.degree(f) != 3)
-      throw Input_error(path, "face " + std::to_string(faces_of_file.empty() ? f.idx() : faces_of_file[f])
-                                + " cannot be cut into triangles");
-}
-
-// The triangles of the polygons, each of which is cut into triangles by itself if it is none.
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::string& path, const Polygon_soup& soup)
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const Polygons& polygons)
 {
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  Surface pieces;
-  std::vector<Corner> vertices_of_pieces;
-  std::vector<std::size_t> faces_of_file;
-  std::vector<Surface::Vertex_index> face;
-  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
-  {
-    const Polygons::Polygon polygon = soup.polygons[i];
-    if(polygon.size() == 3)
-    {
-      triangles.push_back({polygon.begin()[0], polygon.begin()[1], polygon.begin()[2]});
-      continue;
-    }
-    face.clear();
-    for(const Corner v : polygon)
-    {
-      face.push_back(pieces.add_vertex(soup.points[v]));
-      vertices_of_pieces.push_back(v);
-    }
-    pieces.add_face(face);
-    faces_of_file.push_back(i);
-  }
-  triangulate(path, faces_of_file, pieces);
-  for(const Surface::Face_index f : pieces.faces())
-  {
-    std::array<std::uint32_t, 3> triangle = {};
-    std::size_t i = 0;
-    for(const Surface::Vertex_index v : pieces.vertices_around_face(pieces.halfedge(f)))
-      triangle[i++] = vertices_of_pieces[v];
-    triangles.push_back(triangle);
-  }
+  triangles.reserve(polygons.size());
+  for(std::size_t i = 0; i < polygons.size(); ++i)
+    triangles.push_back({polygons[i].begin()[0], polygons[i].begin()[1], polygons[i].begin()[2]});
   return triangles;
 }
 
@@ -231,13 +191,14 @@ std::vector<Corner> border_points(const Polygon_soup& soup, const Mesh& mesh)
 
 } // namespace
 
-Mesh make_mesh(const Polygon_soup& soup, const std::string& path)
+Mesh make_mesh(const Polygon_soup& soup, const Polygons* faces)
 {
   Mesh mesh;
   if(!make_surface(soup, mesh.surface))
   {
-    const Duplicates duplicates = find_duplicates(soup.polygons, false);
-    mesh.complex = Complex{soup.edges, triangles_of(path, soup), soup.tetrahedra, duplicates.number, duplicates.first};
+    const Duplicates duplicates = find_duplicates(faces == nullptr ? soup.polygons : *faces, false);
+    mesh.complex =
+      Complex{soup.edges, triangles_of(soup.polygons), soup.tetrahedra, duplicates.number, duplicates.first};
     remove_faces_of_cells(*mesh.complex);
     make_vertices(soup.points, mesh.surface);
   }
@@ -260,28 +221,51 @@ Polygon_soup read_checked_soup(const std::string& path,
   return soup;
 }
 
-void triangulate_faces(Polygon_soup& soup, const std::string& path)
+void look_over_points(const Polygon_soup& soup, const std::vector<Corner>& border_points, Input_findings& findings)
 {
-  if(soup.polygons.are_triangles())
-    return;
-  const auto triangles = triangles_of(path, soup);
-  Corner* corners = soup.polygons.make_triangles(triangles.size());
-  for(const auto& triangle : triangles)
-    corners = std::copy(triangle.begin(), triangle.end(), corners);
+  findings.close_points = count_close_points(soup.points, border_points);
+  std::vector<char> is_isolated(soup.points.size(), 1);
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+    for(const Corner v : soup.polygons[i])
+      is_isolated[v] = 0;
+  for(const auto& edge : soup.edges)
+    for(const Corner v : edge)
+      is_isolated[v] = 0;
+  for(const auto& tetrahedron : soup.tetrahedra)
+    for(const Corner v : tetrahedron)
+      is_isolated[v] = 0;
+  findings.points = soup.points.size();
+  findings.isolated_points = static_cast<std::size_t>(std::count(is_isolated.begin(), is_isolated.end(), 1));
+}
+
+void triangulate_faces(Polygon_soup& soup, const std::string& path, const Input_findings& findings)
+{
+  if(const auto number = triangulate_faces(soup))
+    throw Input_error(path,
+                      "face " + std::to_string(number_in_file(*number, findings))
+                        + " cannot be cut into triangles: it has no area, or crosses itself and has more than 500 "
+                          "corners");
 }
 
 Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property)
 {
   Input_findings findings;
   Polygon_soup soup = read_checked_soup(path, are_faces_triangulated, vertex_property, findings);
-  Mesh mesh = make_mesh(soup, path);
-  if(mesh.complex) // else no face is repeated
+  std::optional<Polygons> faces; // of a file that has other ones than triangles
+  if(!soup.polygons.are_triangles())
   {
     leave_out_repeated_faces(soup.polygons, findings);
-    if(findings.repeated_faces > 0)
-      mesh = make_mesh(soup, path);
+    faces = soup.polygons;
+    triangulate_faces(soup, path, findings);
   }
-  findings.points = count_close_points(soup.points, border_points(soup, mesh));
+  Mesh mesh = make_mesh(soup, faces ? &*faces : nullptr);
+  if(mesh.complex && !faces) // else no face is repeated
+  {
+    leave_out_repeated_faces(soup.polygons, findings);
+    if(!findings.repeated_faces.empty())
+      mesh = make_mesh(soup);
+  }
+  look_over_points(soup, border_points(soup, mesh), findings);
   mesh.findings = findings;
   if(!vertex_property.empty())
   {
@@ -289,8 +273,6 @@ Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::
     for(const Surface::Vertex_index v : mesh.surface.vertices())
       scalar_map[v] = soup.scalars[v];
   }
-  if(are_faces_triangulated && !mesh.complex)
-    triangulate(path, {}, mesh.surface);
   mesh.notes = std::move(soup.notes);
   return mesh;
 }

@@ -22,17 +22,21 @@ namespace reeb_graph_program {
 // Input_error.
 Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property);
 
-// What is in the file, in its order, but for faces with a repeated corner; all numbers of vertices are those of points.
+// What is in the file, in its order, but for faces with a repeated corner or fewer than three; all numbers of vertices are those of points.
 Polygon_soup read_checked_soup(const std::string& path,
                                bool are_faces_triangulated,
                                const std::string& vertex_property,
                                Input_findings& findings);
 
-// Cuts the faces of such a soup that are not triangles into triangles.
-void triangulate_faces(Polygon_soup& soup, const std::string& path);
+// Counts points of such a soup that are isolated, and those of its borders that are close to others.
+void look_over_points(const Polygon_soup& soup, const std::vector<Corner>& border_points, Input_findings& findings);
 
-// The same of a soup that has been checked: a surface, or what is none. Messages begin with the path.
-Mesh make_mesh(const Polygon_soup& soup, const std::string& path);
+// Cuts the faces of such a soup that are not triangles into triangles. Throws Input_error.
+void triangulate_faces(Polygon_soup& soup, const std::string& path, const Input_findings& findings);
+
+// The same of a soup of triangles that has been checked: a surface, or what is none. `faces` are those that the triangles
+// were cut of, if they were: what repeats is one of them.
+Mesh make_mesh(const Polygon_soup& soup, const Polygons* faces = nullptr);
 
 bool is_ply_file(const std::string& path);
 

@@ -53,7 +53,7 @@ std::size_t read_corner(const Text_input& input, std::string_view word, std::siz
   long long vertex = 0;
   const auto earlier = static_cast<long long>(number_of_earlier);
   if(parse_number(digits, vertex) != std::errc() || vertex == 0 || vertex < -earlier)
-    input.fail(quote(word) + " is no vertex of a face");
+    input.fail(quote(word) + " is not a vertex of a face");
   return static_cast<std::size_t>(vertex > 0 ? vertex - 1 : earlier + vertex);
 }
 
@@ -173,7 +173,7 @@ Polygon_soup read_obj(const std::string& path)
   });
   Polygon_soup soup = join(std::move(parts));
   if(soup.points.empty() || (soup.polygons.size() == 0 && soup.edges.empty()))
-    throw Input_error(path, blocks.number_of_lines(), "the file ends without a face");
+    throw Input_error(path, blocks.number_of_lines(), "the file ends without a face, and point clouds are not read");
   add_facts(path, facts, soup);
   return soup;
 }

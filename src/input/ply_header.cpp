@@ -37,7 +37,7 @@ Type read_type(Text_input& input)
   const std::string_view word = input.word_of_line();
   const auto type = std::find_if(types.begin(), types.end(), [&](const Named_type& t) { return t.first == word; });
   if(type == types.end())
-    input.fail(quote(word) + " is no type of a property");
+    input.fail(quote(word) + " is not a type of a property");
   return type->second;
 }
 
@@ -45,7 +45,7 @@ Format read_format(Text_input& input)
 {
   const std::string format(input.word_of_line());
   if(format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-    input.fail(quote(format) + " is no format of a PLY file");
+    input.fail(quote(format) + " is not a format of a PLY file");
   return format == "ascii"                ? Format::ASCII
        : format == "binary_little_endian" ? Format::BINARY_LITTLE_ENDIAN
                                           : Format::BINARY_BIG_ENDIAN;
@@ -67,7 +67,7 @@ Property read_property(Text_input& input)
     input.word_of_line();
     property.list_size_type = read_type(input);
     if(!is_integer(property.list_size_type))
-      input.fail("the size of a list is no integer");
+      input.fail("the size of a list is not an integer");
   }
   property.type = read_type(input);
   property.name = input.word_of_line();
@@ -94,7 +94,7 @@ std::size_t find_scalars(const Text_input& input,
     input.fail(names.message(name, "faces"));
   }
   if(vertices.properties[place].is_list())
-    input.fail("the property " + quote(name) + " of the vertices is a list, and no field");
+    input.fail("the property " + quote(name) + " of the vertices is a list, and not a field");
   return place;
 }
 

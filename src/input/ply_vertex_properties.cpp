@@ -8,6 +8,7 @@
 
 #include "base/vertex_properties.h"
 #include "input/File_contents.h"
+#include "input/field_names.h"
 #include "input/mesh_formats.h"
 #include "input/ply_data.h"
 #include "input/ply_header.h"
@@ -16,12 +17,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -136,18 +138,57 @@ std::vector<Any_vertex_property> read_vertex_properties(const std::string& path,
   if(extension != ".vtk" && extension != ".vtu" && extension != ".vtp")
     return properties;
   std::set<std::string> names = other_names(surface);
-  for(const Vertex_field& field : read_vtk_fields(path))
+  Field_names unused;
+  for(const Vertex_field& field : read_vtk_fields(path, unused))
     if(names.insert(field.name).second)
       properties.push_back(add_property(surface, field));
   return properties;
 }
 
-std::vector<Any_vertex_property> properties_to_keep(const std::string& path,
-                                                    const std::filesystem::path& output,
-                                                    Surface& surface)
+std::vector<std::string> parts_not_kept(const std::string& path)
 {
-  const bool is_any_kept = output.extension() == ".ply" || output.extension() == ".vtp";
-  return is_any_kept ? read_vertex_properties(path, surface) : std::vector<Any_vertex_property>();
+  const std::string extension = lower_case_extension(path);
+  std::vector<std::string> parts;
+  if(extension != ".obj" && extension != ".off")
+    return parts;
+  const File_contents file(path);
+  Text_input input(path, file.text());
+  const std::string_view first = input.word_of_file();
+  if(extension == ".off") // as in STCNOFF
+    for(const auto& [letters, part] :
+        {std::pair("ST", "textures"), std::pair("C", "colors"), std::pair("N", "normals")})
+      if(first.substr(0, std::min(first.find("OFF"), first.size())).find(letters) != std::string_view::npos)
+        parts.emplace_back(part);
+  std::set<std::string_view> keywords = {first};
+  while(extension == ".obj" && input.next_line())
+    keywords.insert(input.word_of_line());
+  for(const auto& [keyword, part] :
+      {std::pair("vt", "textures"), std::pair("vn", "normals"), std::pair("usemtl", "materials")})
+    if(keywords.count(keyword) != 0)
+      parts.emplace_back(part);
+  return parts;
+}
+
+std::vector<std::string> fields_not_kept(const std::string& path, bool has_room)
+{
+  Field_names names;
+  const std::string extension = lower_case_extension(path);
+  if(extension == ".ply")
+  {
+    const std::set<std::string> others = {"x", "y", "z", "vertex_indices", "vertex_index"};
+    const File_contents file(path);
+    Text_input input(path, file.text());
+    for(const Element& element : ply::read_header(input).elements)
+      for(const Property& property : element.properties)
+        if((element.is_vertex() || element.is_face()) && others.count(property.name) == 0)
+          names.add(element.is_face(), property.name, property.is_list() ? 0 : 1);
+  }
+  else if(extension == ".vtk" || extension == ".vtu" || extension == ".vtp")
+    read_vtk_fields(path, names);
+  std::vector<std::string> result = has_room ? names.others_of_vertices : names.of_vertices;
+  for(const std::string& name : names.of_cells)
+    result.push_back(name + " of faces");
+  return result;
 }
 
 } // namespace reeb_graph_program

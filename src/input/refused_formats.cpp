@@ -19,7 +19,9 @@
 
 namespace reeb_graph_program {
 namespace {
-const char* const formats = "the extension of a mesh file is .off, .obj, .ply, .stl, .ts, .mesh, .vtk, .vtu, or .vtp";
+const char* const formats = "the extension of a mesh file is .off, .obj, .ply, .stl, .ts, .mesh, .vtk, .vtu, or .vtp; "
+                            "faces and edges are read, and the tetrahedra of .mesh, .vtk, and .vtu, but neither voxels "
+                            "nor point clouds";
 
 bool is_freesurfer_surface(const std::string& path)
 {
@@ -40,7 +42,18 @@ std::string refused_format(const std::string& path)
   static const std::string trimesh = "trimesh, as by trimesh.load(FILE, force='mesh').export('mesh.ply'),";
   static const std::string meshio = "'meshio convert FILE mesh.vtu'";
   static const std::string freesurfer = "FreeSurfer's 'mris_convert FILE mesh.vtk'";
-  static const std::map<std::string, std::string> others = {{".glb", convert("glTF", trimesh)},
+  static const std::string cloud = convert("a point cloud", "CGAL's or MeshLab's Poisson reconstruction");
+  static const std::string voxels = convert("an image of voxels", "ParaView's filter Contour");
+  static const std::map<std::string, std::string> others = {{".xyz", cloud},
+                                                            {".pcd", cloud},
+                                                            {".las", cloud},
+                                                            {".laz", cloud},
+                                                            {".nii", voxels},
+                                                            {".nrrd", voxels},
+                                                            {".mha", voxels},
+                                                            {".mhd", voxels},
+                                                            {".tif", voxels},
+                                                            {".glb", convert("glTF", trimesh)},
                                                             {".gltf", convert("glTF", trimesh)},
                                                             {".3mf", convert("3MF", trimesh)},
                                                             {".gii", convert("GIFTI", freesurfer)},

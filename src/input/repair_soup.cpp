@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -55,8 +56,21 @@ std::vector<std::size_t> degenerate_polygons(const Polygons& polygons)
   std::vector<std::size_t> numbers;
   std::vector<Corner> sorted;
   for(std::size_t i = 0; i < polygons.size(); ++i)
-    if(find_repeated_vertex(polygons[i], sorted))
+    if(polygons[i].size() < 3 || find_repeated_vertex(polygons[i], sorted))
       numbers.push_back(i);
+  return numbers;
+}
+
+// The numbers in the file of faces that are numbered without those that are left out; both ascend.
+std::vector<std::size_t> numbers_in_file(std::vector<std::size_t> numbers, const std::vector<std::size_t>& left_out)
+{
+  std::size_t before = 0;
+  for(std::size_t& number : numbers)
+  {
+    while(before < left_out.size() && left_out[before] <= number + before)
+      ++before;
+    number += before;
+  }
   return numbers;
 }
 
@@ -227,6 +241,8 @@ void leave_out_degenerate_faces(Polygons& polygons, Input_findings& findings)
 {
   findings.faces = polygons.size();
   findings.degenerate_faces = degenerate_polygons(polygons);
+  for(const std::size_t i : findings.degenerate_faces)
+    findings.faces_of_few_corners += polygons[i].size() < 3 ? 1 : 0;
   if(!findings.degenerate_faces.empty())
     polygons = copy_polygons(polygons, findings.degenerate_faces, same_vertex);
 }
@@ -236,11 +252,16 @@ void leave_out_repeated_faces(Polygons& polygons, Input_findings& findings)
   const Duplicates duplicates = find_duplicates(polygons, true);
   if(duplicates.number == 0)
     return;
-  findings.repeated_faces = duplicates.number;
-  findings.first_repeated_face = duplicates.numbers.front();
-  for(const std::size_t left_out : findings.degenerate_faces) // before it
-    *findings.first_repeated_face += left_out <= *findings.first_repeated_face ? 1 : 0;
+  findings.repeated_faces = numbers_in_file(duplicates.numbers, findings.degenerate_faces);
   polygons = copy_polygons(polygons, duplicates.numbers, same_vertex);
+}
+
+std::size_t number_in_file(std::size_t face, const Input_findings& findings)
+{
+  std::vector<std::size_t> left_out;
+  std::merge(findings.degenerate_faces.begin(), findings.degenerate_faces.end(), findings.repeated_faces.begin(),
+             findings.repeated_faces.end(), std::back_inserter(left_out));
+  return numbers_in_file({face}, left_out).front();
 }
 
 Repair_result repair_soup(Polygon_soup& soup, const Repair_options& options)

@@ -38,10 +38,13 @@ struct Repair_result
   Repair_counts counts;
 };
 
-// Leaves out the faces with a vertex at two corners, and then those that repeat an earlier one in the same orientation.
-// The numbers of findings are those before.
+// Leaves out the faces with a vertex at two corners or fewer than three corners, and then those that repeat an earlier
+// one in the same orientation. The numbers of findings are those before.
 void leave_out_degenerate_faces(Polygons& polygons, Input_findings& findings);
 void leave_out_repeated_faces(Polygons& polygons, Input_findings& findings);
+
+// The number in the file of a face that has not been left out.
+std::size_t number_in_file(std::size_t face, const Input_findings& findings);
 
 // Repairs the points and polygons of a soup, whose vertices exist and whose faces have no vertex at two corners. Points
 // are merged in their order, and only those of border edges: each joins the nearest kept one. Throws

@@ -61,7 +61,8 @@ inline std::string lower_case(std::string text)
 
 inline std::string lower_case_extension(const std::string& path)
 {
-  return lower_case(std::filesystem::path(path).extension().string());
+  return is_standard_input(path) ? extension_of_standard_input()
+                                 : lower_case(std::filesystem::path(path).extension().string());
 }
 
 // Some programs begin a text with this mark of UTF-8, which says nothing of it.

@@ -8,51 +8,293 @@
 
 #include "input/triangulate_faces.h"
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <unordered_set>
+#include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
 // Only this asks predicates of the points, so only this file is compiled with a kernel of exact ones.
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Vector_3 Vector;
+typedef std::array<std::size_t, 3> Corners; // of a triangle, ascending numbers of corners of the polygon
 
-// The points times a power of two, without which normals of points that are extremely far from the origin, or close to
-// it, would be infinite, or vanish. Then, the exact kernel ends the program.
-struct Scaled_points
+// The ends of edges that are there.
+class Taken_edges
 {
-  typedef Surface::Vertex_index key_type;
-  typedef Kernel::Point_3 value_type;
-  typedef value_type reference;
-  typedef boost::readable_property_map_tag category;
-
-  friend reference get(const Scaled_points& map, key_type v)
+public:
+  explicit Taken_edges(const Polygon_soup& soup)
   {
-    const Point& p = map.surface->point(v);
-    return {map.factor * p.x(), map.factor * p.y(), map.factor * p.z()};
+    sides_.reserve(soup.polygons.number_of_corners() + soup.edges.size());
+    for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+    {
+      Corner previous = *(soup.polygons[i].end() - 1);
+      for(const Corner v : soup.polygons[i])
+        sides_.push_back(key(std::exchange(previous, v), v));
+    }
+    for(const auto& [u, v] : soup.edges)
+      sides_.push_back(key(u, v));
+    std::sort(sides_.begin(), sides_.end());
   }
 
-  const Surface* surface = nullptr;
-  double factor = 1;
+  void insert(Corner u, Corner v) { diagonals_.insert(key(u, v)); }
+  bool has(Corner u, Corner v) const
+  {
+    return diagonals_.count(key(u, v)) != 0 || std::binary_search(sides_.begin(), sides_.end(), key(u, v));
+  }
+
+private:
+  static std::uint64_t key(Corner u, Corner v) { return std::uint64_t{std::min(u, v)} << 32U | std::max(u, v); }
+
+  std::vector<std::uint64_t> sides_;
+  std::unordered_set<std::uint64_t> diagonals_;
 };
 
-double factor_of(const Surface& surface)
+// One polygon, in units in which nothing overflows.
+class Polygon_cut
 {
-  double largest = 0;
-  for(const Point& p : surface.points())
-    largest = std::max({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-  return largest == 0 || (largest > 1e-60 && largest < 1e60) ? 1 : std::ldexp(1, std::min(-std::ilogb(largest), 1000));
-}
+public:
+  Polygon_cut(const std::vector<Point>& points, Polygons::Polygon polygon, const Taken_edges& taken)
+    : polygon_(polygon),
+      taken_(taken),
+      size_(polygon.size())
+  {
+    double largest = 0;
+    for(const Corner v : polygon)
+      for(int i = 0; i < 3; ++i)
+        largest = std::max(largest, std::abs(points[v][i]));
+    const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
+    for(const Corner v : polygon)
+      corners_.emplace_back(std::ldexp(points[v].x(), exponent), std::ldexp(points[v].y(), exponent),
+                            std::ldexp(points[v].z(), exponent));
+  }
+
+  // Returns none if the polygon cannot be cut.
+  std::vector<Corners> triangles() const
+  {
+    bool has_area = false;
+    for(std::size_t i = 2; i < size_; ++i)
+      has_area = has_area || normal(0, i - 1, i) != CGAL::NULL_VECTOR;
+    if(!has_area)
+      return {};
+    if(size_ == 4)
+      return triangles_of_quadrilateral();
+    std::vector<Corners> result = triangles_in_plane();
+    const bool is_one_taken = std::any_of(result.begin(), result.end(), [&](const Corners& triangle) {
+      return is_taken(triangle[0], triangle[1]) || is_taken(triangle[1], triangle[2])
+          || is_taken(triangle[0], triangle[2]);
+    });
+    constexpr std::size_t most_corners = 500; // which take a second
+    return (result.empty() || is_one_taken) && size_ <= most_corners ? triangles_in_space() : result;
+  }
+
+  // Calls visit(u, v) for the diagonals of triangles, some of them twice.
+  template <class Visit>
+  void visit_diagonals(const Corners& triangle, const Visit& visit) const
+  {
+    for(const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
+      if(!is_side(triangle[i], triangle[j]))
+        visit(vertex(triangle[i]), vertex(triangle[j]));
+  }
+
+  Corner vertex(std::size_t i) const { return polygon_.begin()[i]; }
+
+private:
+  bool is_side(std::size_t i, std::size_t j) const { return j == i + 1 || (i == 0 && j + 1 == size_); }
+  bool is_taken(std::size_t i, std::size_t j) const { return !is_side(i, j) && taken_.has(vertex(i), vertex(j)); }
+
+  Vector normal(std::size_t i, std::size_t j, std::size_t k) const
+  {
+    return CGAL::cross_product(corners_[j] - corners_[i], corners_[k] - corners_[i]);
+  }
+
+  // By the diagonal where both triangles face the same way, and neither is thin.
+  std::vector<Corners> triangles_of_quadrilateral() const
+  {
+    const double of_02 = normal(1, 2, 0) * normal(3, 0, 2), of_13 = normal(2, 3, 1) * normal(0, 1, 3);
+    const bool is_02 = is_taken(0, 2) == is_taken(1, 3) ? of_02 > of_13 : is_taken(1, 3);
+    return is_02 ? std::vector<Corners>{{0, 1, 2}, {0, 2, 3}} : std::vector<Corners>{{0, 1, 3}, {1, 2, 3}};
+  }
+
+  // The corners in the plane in which the polygon has the largest area; none if it has no area.
+  std::vector<Kernel::Point_2> projection() const
+  {
+    Vector up = CGAL::NULL_VECTOR;
+    for(std::size_t i = 2; i < size_; ++i)
+      up += normal(0, i - 1, i);
+    const double length = std::sqrt(up.squared_length());
+    if(!(length > 0))
+      return {};
+    up = up / length;
+    int least = 0;
+    for(const int i : {1, 2})
+      least = std::abs(up[i]) < std::abs(up[least]) ? i : least;
+    const Vector axis(least == 0 ? 1 : 0, least == 1 ? 1 : 0, least == 2 ? 1 : 0);
+    const Vector right = CGAL::cross_product(axis, up), ahead = CGAL::cross_product(up, right);
+    std::vector<Kernel::Point_2> result;
+    for(const Vector& corner : corners_)
+      result.emplace_back((corner - corners_[0]) * right, (corner - corners_[0]) * ahead);
+    return result;
+  }
+
+  // Constrained Delaunay triangles of the projection, none if that touches or crosses itself: if its sides are not all
+  // edges of them.
+  std::vector<Corners> triangles_in_plane() const
+  {
+    typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel> Vertex_base;
+    typedef CGAL::Constrained_triangulation_face_base_2<Kernel> Face_base;
+    typedef CGAL::Constrained_Delaunay_triangulation_2<Kernel,
+                                                       CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>>
+      Triangulation;
+    Triangulation triangulation;
+    std::vector<Triangulation::Vertex_handle> vertices;
+    for(const Kernel::Point_2& point : projection())
+    {
+      vertices.push_back(triangulation.insert(point, vertices.empty() ? nullptr : vertices.back()->face()));
+      vertices.back()->info() = vertices.size() - 1;
+    }
+    if(triangulation.dimension() != 2 || triangulation.number_of_vertices() != size_)
+      return {};
+    try
+    {
+      for(std::size_t i = 0; i < size_; ++i)
+        triangulation.insert_constraint(vertices[i], vertices[(i + 1) % size_]);
+    }
+    catch(const Triangulation::Intersection_of_constraints_exception&)
+    {
+      return {};
+    }
+    std::size_t number_of_sides = 0;
+    std::vector<Corners> result;
+    for(std::size_t i = 0; i < size_; ++i)
+      number_of_sides += triangulation.is_edge(vertices[i], vertices[(i + 1) % size_]) ? 1 : 0;
+    if(number_of_sides == size_)
+      add_inner_triangles(triangulation, result);
+    return result;
+  }
+
+  // Those on the left of the sides, and what is joined to them by other edges.
+  template <class Triangulation>
+  void add_inner_triangles(const Triangulation& triangulation, std::vector<Corners>& result) const
+  {
+    std::vector<typename Triangulation::Face_handle> faces(1, triangulation.infinite_face());
+    std::set<typename Triangulation::Face_handle> outer(faces.begin(), faces.end());
+    while(!faces.empty())
+    {
+      const auto face = faces.back();
+      faces.pop_back();
+      for(int i = 0; i < 3; ++i)
+        if(!face->is_constrained(i) && outer.insert(face->neighbor(i)).second)
+          faces.push_back(face->neighbor(i));
+    }
+    for(const auto face : triangulation.finite_face_handles())
+      if(outer.count(face) == 0)
+      {
+        result.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+        std::sort(result.back().begin(), result.back().end());
+      }
+  }
+
+  // What is least for the best triangles: diagonals that are taken, the sharpest edge between two triangles, the area.
+  typedef std::tuple<std::size_t, double, double> Cost;
+
+  // How much the triangles (i, j, k) and (a, b, c) are bent, from 0 to 2; rounded, so that flat ones differ by area.
+  double bend(const Corners& one, const Corners& other) const
+  {
+    const Vector a = normal(one[0], one[1], one[2]), b = normal(other[0], other[1], other[2]);
+    const double lengths = std::sqrt(a.squared_length()) * std::sqrt(b.squared_length());
+    return lengths > 0 ? std::round((1 - a * b / lengths) * 1e9) / 1e9 : 2;
+  }
+
+  // The best triangles of all that there are, as for holes: G. Barequet, M. Sharir, Filling gaps in the boundary of a
+  // polyhedron, 1995; P. Liepa, Filling holes in meshes, 2003.
+  std::vector<Corners> triangles_in_space() const
+  {
+    const auto place = [&](std::size_t i, std::size_t k) { return i * size_ + k; };
+    std::vector<Cost> costs(size_ * size_, Cost(0, 0, 0));
+    std::vector<std::size_t> middles(size_ * size_, 0); // of the triangle below a diagonal
+    for(std::size_t step = 2; step < size_; ++step)
+      for(std::size_t i = 0, k = step; k < size_; ++i, ++k)
+      {
+        Cost& best = costs[place(i, k)];
+        best = Cost((std::numeric_limits<std::size_t>::max)(), 0, 0);
+        const std::size_t number_taken = is_taken(i, k) ? 1 : 0;
+        for(std::size_t m = i + 1; m < k; ++m)
+        {
+          const Cost &left = costs[place(i, m)], &right = costs[place(m, k)];
+          double bent = std::max(std::get<1>(left), std::get<1>(right));
+          if(m > i + 1)
+            bent = std::max(bent, bend({i, m, k}, {i, middles[place(i, m)], m}));
+          if(m + 1 < k)
+            bent = std::max(bent, bend({i, m, k}, {m, middles[place(m, k)], k}));
+          const double area = std::sqrt(normal(i, m, k).squared_length());
+          const Cost cost(std::get<0>(left) + std::get<0>(right) + number_taken, bent,
+                          std::get<2>(left) + std::get<2>(right) + area);
+          if(cost < best)
+            std::tie(best, middles[place(i, k)]) = std::tie(cost, m);
+        }
+      }
+    std::vector<Corners> result;
+    std::vector<std::pair<std::size_t, std::size_t>> diagonals = {{0, size_ - 1}};
+    while(!diagonals.empty())
+    {
+      const auto [i, k] = diagonals.back();
+      diagonals.pop_back();
+      if(k == i + 1)
+        continue;
+      const std::size_t m = middles[place(i, k)];
+      result.push_back({i, m, k});
+      diagonals.insert(diagonals.end(), {{i, m}, {m, k}});
+    }
+    return result;
+  }
+
+  Polygons::Polygon polygon_;
+  const Taken_edges& taken_;
+  std::size_t size_;
+  std::vector<Vector> corners_;
+};
 
 } // namespace
 
-void triangulate_faces(Surface& surface)
+std::optional<std::size_t> triangulate_faces(Polygon_soup& soup)
 {
-  CGAL::Polygon_mesh_processing::triangulate_faces(
-    surface, CGAL::parameters::vertex_point_map(Scaled_points{&surface, factor_of(surface)}).geom_traits(Kernel()));
+  if(soup.polygons.are_triangles())
+    return std::nullopt;
+  Taken_edges taken(soup);
+  Polygons triangles;
+  triangles.reserve(soup.polygons.number_of_corners() - 2 * soup.polygons.size());
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    if(soup.polygons[i].size() == 3)
+    {
+      triangles.add(soup.polygons[i]);
+      continue;
+    }
+    const Polygon_cut cut(soup.points, soup.polygons[i], taken);
+    const std::vector<Corners> pieces = cut.triangles();
+    if(pieces.empty())
+      return i;
+    for(const Corners& piece : pieces)
+    {
+      triangles.add(std::array<Corner, 3>{cut.vertex(piece[0]), cut.vertex(piece[1]), cut.vertex(piece[2])});
+      cut.visit_diagonals(piece, [&](Corner u, Corner v) { taken.insert(u, v); });
+    }
+  }
+  soup.polygons = std::move(triangles);
+  return std::nullopt;
 }
 
 } // namespace reeb_graph_program

@@ -9,11 +9,16 @@
 #ifndef CGAL_REEB_GRAPH_SRC_TRIANGULATE_FACES_H
 #define CGAL_REEB_GRAPH_SRC_TRIANGULATE_FACES_H
 
-#include "base/surface.h"
+#include "input/Polygon_soup.h"
+
+#include <cstddef>
+#include <optional>
 
 namespace reeb_graph_program {
-// Cuts faces into triangles, as far as CGAL can.
-void triangulate_faces(Surface& surface);
+// Cuts each polygon of n corners into n - 2 triangles, in its place, whose corners are all of its own. A new edge joins no
+// two vertices that another edge joins, where that can be avoided: the surface stays what it is. Returns the number of
+// the first polygon that cannot be cut: one without area, or one of more than 500 corners whose projection crosses itself.
+std::optional<std::size_t> triangulate_faces(Polygon_soup& soup);
 
 } // namespace reeb_graph_program
 

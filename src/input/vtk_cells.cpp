@@ -49,7 +49,7 @@ Corner_counts corner_counts(std::size_t type)
   case POLY_LINE: return {0, any};
   case TRIANGLE: return {3, 3};
   case TRIANGLE_STRIP:
-  case POLYGON: return {3, any};
+  case POLYGON: return {0, any};
   case PIXEL:
   case QUAD:
   case TETRA: return {4, 4};
@@ -107,9 +107,9 @@ void add_cell(const std::string& path,
   case TRIANGLE_STRIP:
     for(std::size_t i = 2; i < size; ++i)
       add_polygon({v(i - 2 + i % 2), v(i - 1 - i % 2), v(i)}, soup.polygons);
-    break;
-  case PIXEL: add_polygon({v(0), v(1), v(3), v(2)}, soup.polygons); break;
-  case TETRA: soup.tetrahedra.push_back({v(0), v(1), v(2), v(3)}); break;
+    if(size > 2)
+      break;
+    [[fallthrough]]; // fewer corners are a face that is left out
   case TRIANGLE:
   case POLYGON:
   case QUAD:
@@ -117,6 +117,8 @@ void add_cell(const std::string& path,
       soup.polygons.add_corner(v(i));
     soup.polygons.end_polygon();
     break;
+  case PIXEL: add_polygon({v(0), v(1), v(3), v(2)}, soup.polygons); break;
+  case TETRA: soup.tetrahedra.push_back({v(0), v(1), v(2), v(3)}); break;
   default: break;
   }
 }

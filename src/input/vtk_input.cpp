@@ -59,9 +59,8 @@ Polygon_soup read_vtk(const std::string& path, const std::string& vertex_propert
   return soup;
 }
 
-std::vector<Vertex_field> read_vtk_fields(const std::string& path)
+std::vector<Vertex_field> read_vtk_fields(const std::string& path, Field_names& names)
 {
-  Field_names names;
   Polygon_soup soup = read_any_vtk(path, {true, "", &names});
   std::vector<Vertex_field> fields;
   for(Vertex_field& field : soup.fields)

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -86,7 +87,7 @@ private:
               numbers = decode_vtk_numbers<Number, decltype(number)>(input_.take_bytes(size * sizeof number),
                                                                      !is_machine_big_endian());
             }))
-      input_.fail(quote(type) + " is no type of numbers that is read");
+      input_.fail(quote(type) + " is not a type of numbers that is read");
     return numbers;
   }
 
@@ -217,7 +218,7 @@ private:
     if(kind == "LOOKUP_TABLE")
       return read_array("", is_binary_ ? "unsigned_char" : "float", 4, next_number());
     if(kind == "COLOR_SCALARS")
-      return read_array("", is_binary_ ? "unsigned_char" : "float", next_number(), number_of_entries_);
+      return read_color_scalars(name, next_number());
     if(kind == "SCALARS")
       return read_scalars(name);
     const std::size_t components = kind == "VECTORS" || kind == "NORMALS"                                 ? 3
@@ -227,9 +228,23 @@ private:
                                  : kind == "TEXTURE_COORDINATES" ? next_number()
                                                                  : 0;
     if(components == 0)
-      input_.fail(quote(kind) + " is no section that is read");
+      input_.fail(quote(kind) + " is not a section that is read");
     const std::string type = next_word();
     read_array(name, type, components, number_of_entries_);
+  }
+
+  // In text, colors are parts of 255, which VTK reads as bytes.
+  void read_color_scalars(const std::string& name, std::size_t components)
+  {
+    if(is_binary_)
+      return read_array(name, "unsigned_char", components, number_of_entries_);
+    std::vector<double> numbers = read_numbers<double>("float", product(components, number_of_entries_));
+    for(double& number : numbers)
+    {
+      const double byte = std::fmod(std::trunc(double(static_cast<float>(number)) * 255 + 0.5), 256);
+      number = byte < 0 ? byte + 256 : byte; // as bytes wrap
+    }
+    add_array(name, "unsigned_char", components, number_of_entries_, std::move(numbers));
   }
 
   // The number of components may be left out, and a line for the lookup table as well.
@@ -264,7 +279,15 @@ private:
 
   void read_array(const std::string& name, const std::string& type, std::size_t components, std::size_t tuples)
   {
-    std::vector<double> numbers = read_numbers<double>(type, product(components, tuples));
+    add_array(name, type, components, tuples, read_numbers<double>(type, product(components, tuples)));
+  }
+
+  void add_array(const std::string& name,
+                 const std::string& type,
+                 std::size_t components,
+                 std::size_t tuples,
+                 std::vector<double> numbers)
+  {
     if(!name.empty() && (is_point_data_ || is_cell_data_))
       choice_.names->add(is_cell_data_, decode_name(name), components);
     if(is_point_data_ && components == 1 && numbers.size() == tuples)

@@ -102,6 +102,8 @@ void check(const Compute_on_ranks_options& all_options)
   const Compute_options& options = all_options.compute;
   if(options.input.mesh_path.empty() == all_options.generation.surface.empty())
     throw std::runtime_error("either MESH or --generate is needed");
+  if(is_standard_input(options.input.mesh_path) || is_standard_input(options.input.scalars_path))
+    refuse("standard input", "each rank reads its part of a file");
   check_left_out(options);
   if(!options.graph_path.empty())
     check_graph_format(options.graph_path);

@@ -296,7 +296,7 @@ void write_text(std::ostream& out, const Report& report)
       << ", " << count(critical_vertices.maxima, "maximum", "maxima");
   if(critical_vertices.border_saddles > 0)
     out << ", " << count(critical_vertices.border_saddles, "saddle") << " on the border";
-  if(critical_vertices.isolated > 0)
+  if(critical_vertices.isolated > 0 && !report.input) // else it is said above
     out << ", " << count(critical_vertices.isolated, "isolated vertex", "isolated vertices");
   out << '\n';
   write_field_text(out, report);

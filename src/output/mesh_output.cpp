@@ -9,6 +9,7 @@
 #include "output/mesh_output.h"
 
 #include "base/vertex_properties.h"
+#include "input/mesh_formats.h"
 #include "output/npy_output.h"
 #include "output/output_file.h"
 
@@ -219,11 +220,50 @@ void write_stl(const std::filesystem::path& path, const Surface& surface)
   for(const Surface::Face_index f : surface.faces())
     if(surface.degree(f) != 3)
       throw std::runtime_error(path.string() + ": STL has triangles only, and face " + std::to_string(f.idx())
-                               + " is none: --triangulate cuts faces into triangles");
+                               + " is not one: --triangulate cuts faces into triangles");
   write_file(path, [&](std::ostream& stream) {
     CGAL::IO::set_ascii_mode(stream); // binary STL has half of the digits
     CGAL::IO::write_STL(stream, surface, CGAL::parameters::stream_precision(all_digits_of_meshes));
   });
+}
+
+// STL has no vertices: readers make those of the corners, and points that coincide one.
+void note_lost_vertices(const std::filesystem::path& path, const Surface& surface, Notes& notes)
+{
+  std::vector<Surface::Vertex_index> vertices;
+  for(const Surface::Halfedge_index h : surface.halfedges())
+    vertices.push_back(surface.target(h));
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<Point> points;
+  for(const Surface::Vertex_index v : vertices)
+    points.push_back(surface.point(v));
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if(vertices.size() < surface.number_of_vertices())
+    notes.push_back(path.string() + ": isolated vertices are left out, as STL has triangles only: "
+                    + std::to_string(surface.number_of_vertices() - vertices.size()));
+  if(points.size() < vertices.size())
+    notes.push_back(path.string() + ": vertices at the place of others are one with them in STL: "
+                    + std::to_string(vertices.size() - points.size()));
+}
+
+// What the format has no room for.
+void note_lost_results(const std::filesystem::path& path,
+                       const std::string& format,
+                       const Mesh_results& results,
+                       Notes& notes)
+{
+  std::vector<std::string> things = {"the field", "arcs and nodes of vertices"};
+  if(results.patch_map)
+    things.emplace_back("patches");
+  if(results.band_map)
+    things.emplace_back("bands");
+  if(results.original_map)
+    things.emplace_back("numbers of original vertices");
+  if(format != ".off")
+    things.emplace_back("colors");
+  note_left_out(path, things, notes);
 }
 
 } // namespace
@@ -240,13 +280,50 @@ Surface unconnected_surface(const std::vector<Point>& points, const Polygons& po
   return surface;
 }
 
-void write_surface(const std::filesystem::path& path, const Surface& surface)
+bool has_room_for_numbers(const std::filesystem::path& path)
+{
+  const std::string format = ending_of(path, "a mesh", formats_of_meshes);
+  return format == ".ply" || format == ".vtp";
+}
+
+void note_left_out(const std::filesystem::path& path, const std::vector<std::string>& things, Notes& notes)
+{
+  std::string list;
+  for(const std::string& thing : things)
+    list += (list.empty() ? "" : &thing == &things.back() ? " and " : ", ") + thing;
+  const bool is_one = things.size() == 1 && (things.front() + ' ').find("s ") == std::string::npos;
+  if(!things.empty())
+    notes.push_back(path.string() + ": " + list + (is_one ? " is" : " are") + " left out"
+                    + (has_room_for_numbers(path) ? "" : ", for which .ply and .vtp have room"));
+}
+
+void note_lost_parts(const std::filesystem::path& path, const std::string& input, Notes& notes)
+{
+  for(const std::string& part : parts_not_kept(input))
+    notes.push_back(path.string() + ": " + part + " of the input are left out");
+}
+
+std::vector<Any_vertex_property> properties_to_keep(const std::string& input,
+                                                    const std::filesystem::path& output,
+                                                    Surface& surface,
+                                                    Notes& notes)
+{
+  const bool has_room = has_room_for_numbers(output);
+  note_left_out(output, fields_not_kept(input, has_room), notes);
+  note_lost_parts(output, input, notes);
+  return has_room ? read_vertex_properties(input, surface) : std::vector<Any_vertex_property>();
+}
+
+void write_surface(const std::filesystem::path& path, const Surface& surface, Notes& notes)
 {
   const std::string format = ending_of(path, "a mesh", formats_of_meshes);
   if(format == ".ply")
     return write_binary_ply(path, surface);
   if(format == ".stl")
+  {
+    note_lost_vertices(path, surface, notes);
     return write_stl(path, surface);
+  }
   write_file(path, [&](std::ostream& stream) {
     const auto np = CGAL::parameters::stream_precision(all_digits_of_meshes);
     if(format == ".vtp")
@@ -271,7 +348,19 @@ void write_scalars(const std::filesystem::path& path, const Surface& surface, Sc
   });
 }
 
-void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results)
+void write_integers(const std::filesystem::path& path, const std::vector<std::int64_t>& numbers)
+{
+  write_file(path, [&](std::ostream& stream) {
+    if(is_npy(path))
+      return write_npy(stream, numbers);
+    CGAL::Reeb_graph::internal::Text_output text(stream);
+    for(const std::int64_t number : numbers)
+      text << number << '\n';
+    text.flush();
+  });
+}
+
+void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results, Notes& notes)
 {
   namespace parameters = CGAL::parameters;
   const Mesh_columns columns(surface, results);
@@ -286,7 +375,10 @@ void write_mesh(const std::filesystem::path& path, const Surface& surface, const
   // of a pipe, a device, or standard output the first one
   const std::string format = ending_of(path, "a mesh with results", {".ply", ".vtp", ".off", ".obj", ".stl"});
   if(format == ".off" || format == ".obj" || format == ".stl")
-    return write_surface(path, mesh);
+  {
+    note_lost_results(path, format, results, notes);
+    return write_surface(path, mesh, notes);
+  }
   if(format == ".ply")
   {
     add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:arc", columns.arcs);
@@ -315,12 +407,13 @@ void write_mesh(const std::filesystem::path& path, const Surface& surface, const
   });
 }
 
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Mesh_results& results)
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Mesh_results& results, Notes& notes)
 {
-  if(mesh.complex)
-    write_mesh(path, unconnected_surface(mesh), results);
-  else
-    write_mesh(path, mesh.surface, results);
+  if(!mesh.complex)
+    return write_mesh(path, mesh.surface, results, notes);
+  if(!mesh.complex->edges.empty())
+    notes.push_back(path.string() + ": edges of no face are left out, " + std::to_string(mesh.complex->edges.size()));
+  write_mesh(path, unconnected_surface(mesh), results, notes);
 }
 
 void write_coloured_surface(const std::filesystem::path& path, Surface surface, Scalar_map scalar_map)
@@ -329,11 +422,11 @@ void write_coloured_surface(const std::filesystem::path& path, Surface surface, 
   write_binary_ply(path, surface);
 }
 
-void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map)
+void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map, Notes& notes)
 {
   const std::string format = ending_of(path, "a mesh", formats_of_meshes);
   if(format != ".vtp" && format != ".ply")
-    return write_surface(path, surface);
+    return write_surface(path, surface, notes);
   const Face_color_map face_colours = add_face_colours(surface, patch_map);
   if(format == ".ply")
     return write_binary_ply(path, surface);

@@ -17,18 +17,25 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
 // Throws std::runtime_error unless the file name has an ending of a mesh: .off, .ply, .obj, .stl, or .vtp.
 void check_mesh_format(const std::filesystem::path& path);
 
+// Notes on what was asked for, and the format of a file has no room for.
+typedef std::vector<std::string> Notes;
+
 // The mesh with all digits of the coordinates: .off, .obj, or .stl, which is text and has triangles only; or with the
 // numbers of its vertices, .ply or .vtp.
-void write_surface(const std::filesystem::path& path, const Surface& surface);
+void write_surface(const std::filesystem::path& path, const Surface& surface, Notes& notes);
 
 // One number per line in the order of the vertices, with all digits; .npy as NumPy has it.
 void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map);
+
+// One whole number per line, or .npy.
+void write_integers(const std::filesystem::path& path, const std::vector<std::int64_t>& numbers);
 
 // A surface for writers only, whose faces have the vertices of the polygons, and no neighbors.
 Surface unconnected_surface(const std::vector<Point>& points, const Polygons& polygons);
@@ -47,16 +54,32 @@ struct Mesh_results
 // The mesh with the value, the arc, and the node of each vertex, where one of arc and node is -1; and the patch of each
 // face. Patches are coloured, or else vertices by their values: .ply or .vtp, with all digits; .off has the colours alone,
 // .obj and .stl have none.
-void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results);
+void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results, Notes& notes);
 
 // A complex is written as its triangles.
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Mesh_results& results);
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Mesh_results& results, Notes& notes);
 
 // The mesh in the PLY format, with vertices coloured from dark blue, the lowest, to yellow, the highest.
 void write_coloured_surface(const std::filesystem::path& path, Surface surface, Scalar_map scalar_map);
 
 // The mesh in any format: .ply and .vtp have the patch of each face as a number, and a colour for each patch.
-void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map);
+void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map, Notes& notes);
+
+// Whether the format has room for numbers of vertices and faces.
+bool has_room_for_numbers(const std::filesystem::path& path);
+
+// The fields of the vertices of the input, if the file that is going to be written has room for them, and else none. Notes
+// what is left out.
+std::vector<Any_vertex_property> properties_to_keep(const std::string& input,
+                                                    const std::filesystem::path& output,
+                                                    Surface& surface,
+                                                    Notes& notes);
+
+// Notes what the input has, as normals, that is not kept in any format.
+void note_lost_parts(const std::filesystem::path& path, const std::string& input, Notes& notes);
+
+// Notes that these are left out of the file, if there are any.
+void note_left_out(const std::filesystem::path& path, const std::vector<std::string>& things, Notes& notes);
 
 } // namespace reeb_graph_program
 

@@ -79,8 +79,6 @@ void write_text(std::ostream& out, const Repair_report& report)
   const Repair_counts& counts = report.counts;
   write_mesh_counts(out, "given    ", counts.given);
   write_input_text(out, report);
-  for(const std::string& note : report.notes)
-    out << "         " << note << '\n';
   out << "repair\n";
   write_step(out, report.lines_left_out, "line left out", "lines left out");
   write_step(out, counts.merged_points, "point merged into another one", "points merged into others");
@@ -101,7 +99,7 @@ void write_text(std::ostream& out, const Repair_report& report)
       out << "         " << field.name << " differs at " << count(field.differing_points, "merged point")
           << ", by at most " << field.largest_difference << '\n';
   for(const std::string& name : report.lost_fields)
-    out << "         " << name << " is lost, as only PLY and VTP have fields\n";
+    out << "         " << name << " is lost, as only PLY and VTP have fields, of one number for each vertex\n";
   write_mesh_counts(out, "result   ", counts.result);
 }
 

@@ -39,16 +39,18 @@ nlohmann::ordered_json json_of(const Input_findings& input)
   json["first_face_with_repeated_corner"] = nullptr;
   if(!input.degenerate_faces.empty())
     json["first_face_with_repeated_corner"] = input.degenerate_faces.front();
-  json["repeated_faces"] = input.repeated_faces;
+  json["faces_with_few_corners"] = input.faces_of_few_corners;
+  json["repeated_faces"] = input.repeated_faces.size();
   json["first_repeated_face"] = nullptr;
-  if(input.first_repeated_face)
-    json["first_repeated_face"] = *input.first_repeated_face;
-  json["coinciding_border_points"] = input.points.coinciding;
-  json["close_border_points"] = input.points.close;
-  json["close_distance"] = json_number(input.points.largest_distance);
+  if(!input.repeated_faces.empty())
+    json["first_repeated_face"] = input.repeated_faces.front();
+  json["isolated_points"] = input.isolated_points;
+  json["coinciding_border_points"] = input.close_points.coinciding;
+  json["close_border_points"] = input.close_points.close;
+  json["close_distance"] = json_number(input.close_points.largest_distance);
   json["suggested_repair"] = nullptr;
-  if(input.points.is_any())
-    json["suggested_repair"] = suggested_repair(input.points);
+  if(input.close_points.is_any())
+    json["suggested_repair"] = suggested_repair(input.close_points);
   return json;
 }
 
@@ -67,6 +69,41 @@ std::string names_of(const std::vector<Fixed_values::Place>& places,
   if(number > most)
     names += " and " + std::to_string(number - most) + " more";
   return number == 0 ? names : (number == 1 ? singular : plural) + names;
+}
+
+void write_left_out_faces(std::ostream& out, const Input_findings& input)
+{
+  const std::size_t degenerate = input.degenerate_faces.size(), few = input.faces_of_few_corners;
+  out << "file     " << count(input.faces, "face") << ", of which " << input.kept_faces() << " are kept:";
+  if(degenerate > 0)
+    out << ' ' << degenerate << " with " << (degenerate > few ? "a repeated corner" : "")
+        << (degenerate > few && few > 0 ? ", or " : "") << (few > 0 ? "fewer than three corners" : "")
+        << ", the first one, face " << input.degenerate_faces.front();
+  if(!input.repeated_faces.empty())
+    out << (degenerate == 0 ? " " : ", and ") << input.repeated_faces.size()
+        << " that repeat earlier ones, the first one, face " << input.repeated_faces.front();
+  out << '\n';
+}
+
+// What was found when the mesh was read, a line of each kind.
+void write_findings(std::ostream& out, const Input_findings& input)
+{
+  if(input.kept_faces() != input.faces)
+    write_left_out_faces(out, input);
+  if(input.is_point_cloud())
+    out << "points   " << input.isolated_points << " alone: a point cloud has no faces, and is not meshed here\n";
+  else if(input.isolated_points > 0)
+    out << "points   " << count(input.isolated_points, "isolated vertex", "isolated vertices")
+        << ", of no face or edge\n";
+  const Close_points& points = input.close_points;
+  if(!points.is_any())
+    return;
+  out << "points   ";
+  if(points.coinciding > 0)
+    out << points.coinciding << " along borders coincide with others" << (points.close > 0 ? ", " : "");
+  if(points.close > 0)
+    out << points.close << " along borders are less than " << points.largest_distance << " from others";
+  out << ": '" << suggested_repair(points) << "' merges them\n";
 }
 
 void write_fixed_values(std::ostream& out, const Fixed_values& fixed)
@@ -109,34 +146,14 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
 
 void write_input_text(std::ostream& out, const Work_report& report)
 {
-  if(!report.input)
-    return;
-  const Input_findings& input = *report.input;
-  if(input.kept_faces() != input.faces)
-  {
-    out << "file     " << count(input.faces, "face") << ", of which " << input.kept_faces() << " are kept:";
-    if(const std::size_t number = input.degenerate_faces.size())
-      out << ' ' << number << " with a repeated corner, the first one, face " << input.degenerate_faces.front();
-    if(input.first_repeated_face)
-      out << (input.degenerate_faces.empty() ? " " : ", and ") << input.repeated_faces
-          << " that repeat earlier ones, the first one, face " << *input.first_repeated_face;
-    out << '\n';
-  }
-  const Close_points& points = input.points;
-  if(!points.is_any())
-    return;
-  out << "points   ";
-  if(points.coinciding > 0)
-    out << points.coinciding << " along borders coincide with others" << (points.close > 0 ? ", " : "");
-  if(points.close > 0)
-    out << points.close << " along borders are less than " << points.largest_distance << " from others";
-  out << ": '" << suggested_repair(points) << "' merges them\n";
+  if(report.input)
+    write_findings(out, *report.input);
+  for(const std::string& note : report.notes)
+    out << "         " << note << '\n';
 }
 
 void write_field_text(std::ostream& out, const Work_report& report)
 {
-  for(const std::string& note : report.notes)
-    out << "         " << note << '\n';
   // A field that does not depend on the geometry has none.
   const CGAL::Reeb_graph::Field_report field = report.field.value_or(CGAL::Reeb_graph::Field_report());
   if(field.number_of_bad_faces > 0)
@@ -274,8 +291,6 @@ void write_text(std::ostream& out, const Handles_report& report)
       << count(number_of("hole"), "hole") << ", " << count(number_of("loop"), "loop") << " without inside\n";
   write_input_text(out, report);
   out << "field    " << report.field << '\n';
-  for(const std::string& note : report.notes)
-    out << "         " << note << '\n';
   if(report.self_intersections && *report.self_intersections != 0)
     out << "crossed  " << count(*report.self_intersections, "pair")
         << " of triangles: kinds of loops are not certain\n";

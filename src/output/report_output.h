@@ -60,7 +60,8 @@ void write_json(std::ostream& out, const Handles_report& report);
 void write_text(std::ostream& out, const Field_range& range, const Work_report& report);
 void write_json(std::ostream& out, const Field_range& range, const Work_report& report);
 
-// A line of faces of the file that are left out, and one of points that repair merges, as far as they apply.
+// What is said of the mesh by all commands, as far as it applies: lines of faces of the file that are left out, of isolated
+// points, and of those that repair merges, and notes.
 void write_input_text(std::ostream& out, const Work_report& report);
 
 // The report of a repaired mesh.

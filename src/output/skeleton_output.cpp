@@ -185,6 +185,16 @@ void write_graphml(std::ostream& out, const Skeleton& skeleton)
 
 void check_skeleton_format(const std::filesystem::path& path) { format_of_skeleton(path); }
 
+void note_lost_parts(const std::filesystem::path& path, const Skeleton& skeleton, std::vector<std::string>& notes)
+{
+  const std::string format = format_of_skeleton(path);
+  const std::size_t loops = skeleton.certificate.number_of_loops;
+  if(format == ".swc" && loops > 0)
+    notes.push_back(path.string() + ": each loop is cut once, as SWC has trees only: " + std::to_string(loops));
+  if(format == ".polylines.txt")
+    notes.push_back(path.string() + ": radii are left out, for which .swc, .vtp and .graphml have room");
+}
+
 void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton)
 {
   const std::string format = format_of_skeleton(path);

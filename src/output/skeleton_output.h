@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 // The report of a skeleton, with what certifies it, and a table of its arcs.
@@ -29,6 +30,9 @@ void check_skeleton_format(const std::filesystem::path& path);
 
 // Writes a .swc, .vtp, .polylines.txt, or .graphml file.
 void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton);
+
+// Notes what such a file has no room for: loops of trees, radii of polylines.
+void note_lost_parts(const std::filesystem::path& path, const Skeleton& skeleton, std::vector<std::string>& notes);
 
 void write_text(std::ostream& out, const Skeleton_report& report);
 void write_json(std::ostream& out, const Skeleton_report& report);

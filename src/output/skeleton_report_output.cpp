@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "output/report_output.h"
 #include "output/report_parts.h"
 #include "output/skeleton_output.h"
 
@@ -62,6 +63,7 @@ void write_text(std::ostream& out, const Skeleton_report& report)
   const auto& known = report.skeleton.certificate;
   out << "surface   " << count(known.number_of_components, "component") << ", " << count(known.genus, "handle")
       << " with borders filled\n";
+  write_input_text(out, report);
   out << "field     " << report.field << '\n';
   out << "skeleton  " << count(report.skeleton.points.size(), "point") << ", " << count(known.number_of_arcs, "arc")
       << ", " << count(known.number_of_ends, "end") << " (" << known.number_of_border_ends << " at borders), "

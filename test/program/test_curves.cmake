@@ -83,7 +83,7 @@ set(tubes tubes.off --scalars noise.txt)
 expect_json(257 genus ARGUMENTS ${tubes})
 expect_error("the cut mesh would have [0-9]+ triangles, more than 50 times the 5120 of the mesh: --large cuts it all the same"
              curves ${tubes} --type pants --cut-mesh large.off)
-run(curves ${tubes} --type pants --cut-mesh large.off --large)
+run(curves ${tubes} --type pants --cut-mesh large.off --large --patches patches.txt)
 expect_equal("${exit_code} ${output}" "0 768 curves, 512 patches\n")
 file(STRINGS ${FOLDER}/large.off sizes LIMIT_COUNT 2)
 string(REGEX REPLACE "^OFF;[0-9]+ ([0-9]+) .*$" "\\1" number_of_large_faces "${sizes}")

@@ -107,7 +107,9 @@ expect_match("${output}" "0 handles, 0 tunnels, 0 holes, 0 loops")
 
 # three triangles at one edge
 file(WRITE ${FOLDER}/book.off "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
-expect_error("no oriented manifold surface" handles book.off)
+expect_error("the mesh is not an oriented manifold surface; .*; reeb_graph repair --split" handles book.off)
+expect_error("the mesh is not an oriented manifold surface; .*; reeb_graph repair --split" skeleton book.off)
+expect_error("--html needs an oriented manifold surface; .*; reeb_graph repair --split" compute book.off --field z --html p.html)
 
 # A frame of eight cubes around a hole: places of the loops, and of that which is removed.
 set(points)

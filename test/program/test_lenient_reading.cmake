@@ -211,6 +211,17 @@ expect_error("there is no field 'rain': the vertices have heat, wind [(]3 number
              fields.vtk --field rain)
 expect_error("the field 'area' is one of the cells: the vertices have heat" compute fields.vtk --field area)
 expect_success(compute fields.vtk --field cold)
+# colors of one number are a field of bytes, as VTK reads them: in text, they are parts of 255
+file(WRITE ${FOLDER}/colors.vtk "${vtk}TRIANGLE_STRIPS 1 4\n3 0 1 2\nPOINT_DATA 5\nCOLOR_SCALARS gray 1\n0 0.5 0.25 1 0.1\n\
+COLOR_SCALARS rgb%203 3\n0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n")
+expect_success(repair colors.vtk --output colors.vtp)
+expect_match("${output}" "rgb 3 [(]3 numbers[)] is lost")
+foreach(name colors.vtk colors.vtp)
+  expect_success(compute ${name} --field gray --graph colors.csv)
+  file(READ ${FOLDER}/colors.nodes.csv content)
+  expect_match("${content}" "^[^\n]*\n0,0,0,[^\n]*\n1,4,26,[^\n]*\n2,1,128,[^\n]*\n3,3,255,[^\n]*\n$")
+endforeach()
+expect_error("there is no field 'rain': the vertices have gray, rgb 3 [(]3 numbers[)]" compute colors.vtk --field rain)
 file(READ ${FOLDER}/mark.vtu vtu)
 foreach(section "PointData;heat" "CellData;area")
   list(GET section 0 name)

@@ -12,7 +12,8 @@ foreach(format vtp obj polylines.txt)
 endforeach()
 expect_success(curves surface.off --field z --type levels --spacing 0.125 --curves spaced.json --mesh-out spaced.vtp)
 
-expect_success(curves surface.off --type disks --vertex-map map.txt --cut-mesh disks.off --curves c.polylines.txt)
+expect_success(curves surface.off --type disks --vertex-map map.txt --cut-mesh disks.off --curves c.polylines.txt
+               --patches p.txt)
 expect_match("${output}" "^[0-9]+ curves, 1 patch\n$")
 expect_success(curves surface.off --type disks --cut-mesh disks.ply)
 expect_success(curves surface.off --type disks --cut-mesh disks.obj)
