@@ -18,10 +18,8 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/critical_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/write_graph.h>

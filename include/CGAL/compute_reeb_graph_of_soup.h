@@ -13,9 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
-#include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
-#include <CGAL/Reeb_graph/internal/engine/Contours_of_sectors.h>
-#include <CGAL/Reeb_graph/internal/engine/classify_vertices_of_complex.h>
+#include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
 #include <CGAL/compute_reeb_graph.h>

@@ -11,9 +11,8 @@
 #include "graph_checks.h"
 #include "random_complexes.h"
 
-#include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
 #include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
-#include <CGAL/Reeb_graph/internal/engine/Contours_of_sectors.h>
+#include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/test/unit_test.hpp>

@@ -15,9 +15,9 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
+#include <CGAL/Reeb_graph/internal/engine/slabs.h>
+#include <CGAL/Reeb_graph/internal/engine/walks.h>
 
 #include <algorithm>
 #include <array>

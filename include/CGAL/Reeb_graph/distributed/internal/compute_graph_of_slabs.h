@@ -17,10 +17,9 @@
 #include <CGAL/Reeb_graph/distributed/internal/solve_slab.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/walks.h>
 #include <CGAL/Reeb_graph/internal/engine/write_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 

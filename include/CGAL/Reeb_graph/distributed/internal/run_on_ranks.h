@@ -25,10 +25,10 @@
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/critical_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
+#include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/slabs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/visitor.h>

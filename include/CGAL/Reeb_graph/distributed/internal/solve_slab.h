@@ -16,17 +16,12 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
-#include <CGAL/Reeb_graph/internal/complex/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
-#include <CGAL/Reeb_graph/internal/engine/Bounding_level.h>
-#include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
-#include <CGAL/Reeb_graph/internal/engine/Contours_of_sectors.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/classify_vertices_of_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/slabs.h>
+#include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/internal/complex/Breadth_first_search.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 
 #include <functional>

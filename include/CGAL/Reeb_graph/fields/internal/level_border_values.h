@@ -15,9 +15,8 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
-#include <CGAL/Reeb_graph/internal/complex/St_numbering.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
-#include <CGAL/Reeb_graph/internal/complex/border_cycles.h>
+#include <CGAL/Reeb_graph/internal/complex/borders.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>

@@ -17,9 +17,9 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
-#include <CGAL/Reeb_graph/internal/complex/Unchecked_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
+#include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>

@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
-#include <CGAL/Reeb_graph/internal/complex/descriptor_lists.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
 
 #include <boost/graph/graph_traits.hpp>

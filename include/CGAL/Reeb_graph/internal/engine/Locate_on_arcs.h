@@ -15,11 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
-#include <CGAL/Reeb_graph/internal/engine/Cutting_sweep.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
-#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,6 +25,10 @@ namespace CGAL::Reeb_graph::internal {
 
 // By vertex, the arc between critical vertices that it is on; no_index if it is critical.
 typedef Indexed_vector<Vertex_index, Swept_arc_index> Arc_of_vertex;
+
+// By node of the join tree and of the split tree: the arc that the arc to the parent of the node has gone to, the first
+// one if it has been split; no_index if none.
+typedef By_side<Indexed_vector<Tree_node, Swept_arc_index>> Arcs_of_classes;
 
 // The join tree and the split tree of all of the surface, and the cuts, whose edges are registered.
 struct Trees_with_cuts

@@ -16,16 +16,11 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/engine/Bounding_level.h>
+#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
 #include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Slicing.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
-#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
-#include <CGAL/Reeb_graph/internal/engine/vertex_links.h>
+#include <CGAL/Reeb_graph/internal/engine/slabs.h>
+#include <CGAL/Reeb_graph/internal/engine/walks.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>

@@ -16,29 +16,14 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
-#include <CGAL/Reeb_graph/internal/engine/Bounding_level.h>
-#include <CGAL/Reeb_graph/internal/engine/Slab.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
-#include <CGAL/Reeb_graph/internal/engine/vertex_links.h>
+#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
+#include <CGAL/Reeb_graph/internal/engine/slabs.h>
+#include <CGAL/Reeb_graph/internal/engine/walks.h>
 
 #include <cstddef>
 #include <utility>
 
 namespace CGAL::Reeb_graph::internal {
-
-// A join tree or a split tree. Its nodes are those of a slab, and two of each loop cut.
-struct Merge_tree
-{
-  Indexed_vector<Tree_node, Tree_node> parents;      // where the component of a node merges; no_index at a root
-  Indexed_vector<Tree_node, bool> is_border_reached; // whether the component of which the node is the top has border
-  Indexed_vector<Swept_index, bool> is_class_shared; // whether two sectors of the vertex are in one component
-
-  // By lower link sector in the join tree, by upper one in the split tree: the class of the sector, which is the top of
-  // the component that it is in when the sweep arrives at its vertex.
-  Indexed_vector<Sector_index, Tree_node> classes;
-};
 
 // The sweep over the critical vertices that builds a merge tree from the ends of monotone paths: the join tree from
 // those that descend to the lower side, the split tree from those that ascend to the upper side. (Y. Chiang, T. Lenz,
@@ -255,186 +240,6 @@ private:
   Merging_components<Tree_node> components_;
   Plain_vector<Component_index> merged_components_;
   Merge_tree tree_;
-};
-
-// A rooted tree from which leaves and nodes with one child are taken away. The children of a node are known by their
-// number and by the exclusive or of their names, which is the name of the last one.
-class Shrinking_tree
-{
-public:
-  Shrinking_tree() = default;
-  // Room that is left for more nodes is left here too.
-  explicit Shrinking_tree(const Indexed_vector<Tree_node, Tree_node>& parents)
-  {
-    nodes_.reserve(parents.capacity());
-    nodes_.assign(parents.size(), Node{no_index, 0, 0});
-    constexpr Number ahead = 16;
-    for(const Tree_node node : parents.keys())
-    {
-      const Tree_node later(node.number() + ahead);
-      if(parents.contains(later) && parents[later] != no_index)
-        prefetch(&nodes_[parents[later]]);
-      nodes_[node].parent = parents[node];
-      if(parents[node] == no_index)
-      {
-        ++number_of_roots_;
-        continue;
-      }
-      ++nodes_[parents[node]].number_of_children;
-      nodes_[parents[node]].child_names ^= node.number();
-    }
-  }
-
-  // Adds nodes, which have to be put somewhere then.
-  void resize(std::size_t number_of_nodes) { nodes_.resize(number_of_nodes); }
-
-  // The child is no root.
-  void put_above(Tree_node child, Tree_node node)
-  {
-    const Tree_node parent = nodes_[child].parent;
-    nodes_[node] = {parent, 1, child.number()};
-    nodes_[child].parent = node;
-    nodes_[parent].child_names ^= node.number() ^ child.number();
-  }
-
-  void put_leaf_below(Tree_node parent, Tree_node node)
-  {
-    nodes_[node] = {parent, 0, 0};
-    ++nodes_[parent].number_of_children;
-    nodes_[parent].child_names ^= node.number();
-  }
-
-  // How many roots the tree has before any node is removed.
-  Number number_of_roots() const { return number_of_roots_; }
-
-  Tree_node parent(Tree_node node) const { return nodes_[node].parent; }
-  Number number_of_children(Tree_node node) const { return nodes_[node].number_of_children; }
-  Tree_node only_child(Tree_node node) const { return Tree_node(nodes_[node].child_names); }
-
-  void remove_leaf(Tree_node node)
-  {
-    Node& parent = nodes_[nodes_[node].parent];
-    --parent.number_of_children;
-    parent.child_names ^= node.number();
-  }
-
-  // The only child takes the place of the node.
-  void remove_inner_node(Tree_node node)
-  {
-    const Tree_node child = only_child(node), parent = nodes_[node].parent;
-    nodes_[child].parent = parent;
-    if(parent != no_index)
-      nodes_[parent].child_names ^= node.number() ^ child.number();
-    nodes_[node].number_of_children = 0;
-  }
-
-private:
-  struct Node
-  {
-    Tree_node parent;
-    Number number_of_children;
-    Number child_names;
-  };
-
-  Indexed_vector<Tree_node, Node> nodes_;
-  Number number_of_roots_ = 0;
-};
-
-// By node of the join tree and of the split tree: the arc that the arc to the parent of the node has gone to, the first
-// one if it has been split; no_index if none.
-typedef By_side<Indexed_vector<Tree_node, Swept_arc_index>> Arcs_of_classes;
-
-// Combines a join tree and a split tree of the same nodes to the arcs of the contour tree, leaf by leaf. (H. Carr,
-// J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.) On request, it keeps what
-// find_arcs_of_classes() needs.
-template <bool are_leaves_kept>
-class Tree_combination
-{
-public:
-  Tree_combination(Shrinking_tree join_tree,
-                   Shrinking_tree split_tree,
-                   Indexed_vector<Tree_node, Ascending_step> first_steps)
-    : trees_{{std::move(join_tree), std::move(split_tree)}},
-      first_steps_(std::move(first_steps))
-  {
-    arcs_.reserve(first_steps_.size());
-  }
-
-  Swept_arcs operator()()
-  {
-    for(const Tree_node node : first_steps_.keys())
-      take_leaves_from(node);
-    return std::move(arcs_);
-  }
-
-  // Follows the classes to the arcs that have been found: in the tree where a leaf of the other one is no leaf, the
-  // only child takes its place, and goes later.
-  Arcs_of_classes find_arcs_of_classes(const Swept_arcs& arcs) const
-  {
-    static_assert(are_leaves_kept);
-    Arcs_of_classes result;
-    for(const Side side : both_sides)
-      result[side].reset(first_steps_.size(), no_index);
-    for(std::size_t i = arcs.size(); i != 0;)
-    {
-      const Swept_arc_index arc(--i);
-      const Side side = sides_of_leaves_[i];
-      const Tree_node leaf = side == Side::LOWER ? arcs[arc].lower : arcs[arc].upper;
-      const Side other = opposite_of(side);
-      result[side][leaf] = arc;
-      result[other][leaf] = result[other][trees_[other].only_child(leaf)];
-    }
-    return result;
-  }
-
-private:
-  // Whether the node is a leaf that is left at one side: the lower one in the join tree, the upper one in the split tree.
-  // A root is no leaf, as it is none of trees of the same order.
-  template <Side side>
-  bool is_leaf(Tree_node node) const
-  {
-    return trees_[side].number_of_children(node) == 0 && trees_[opposite_of(side)].number_of_children(node) == 1
-        && trees_[side].parent(node) != no_index;
-  }
-
-  // Takes the node away if it is a leaf, and then its neighbor if that makes it one, and so on.
-  void take_leaves_from(Tree_node node)
-  {
-    while(node != no_index)
-    {
-      if(is_leaf<Side::LOWER>(node))
-        node = take_leaf<Side::LOWER>(node);
-      else if(is_leaf<Side::UPPER>(node))
-        node = take_leaf<Side::UPPER>(node);
-      else
-        node = no_index;
-    }
-  }
-
-  // Returns the other end of the leaf's arc.
-  template <Side side>
-  Tree_node take_leaf(Tree_node leaf)
-  {
-    const Tree_node end = trees_[side].parent(leaf);
-    if constexpr(side == Side::LOWER)
-    {
-      const Tree_node child = trees_[Side::UPPER].only_child(leaf);
-      arcs_.push_back({leaf, end, first_steps_[child]});
-      first_steps_[child] = first_steps_[leaf];
-    }
-    else
-      arcs_.push_back({end, leaf, first_steps_[leaf]});
-    if constexpr(are_leaves_kept)
-      sides_of_leaves_.push_back(side);
-    trees_[side].remove_leaf(leaf);
-    trees_[opposite_of(side)].remove_inner_node(leaf);
-    return end;
-  }
-
-  By_side<Shrinking_tree> trees_;
-  Indexed_vector<Tree_node, Ascending_step> first_steps_; // from its parent in the split tree towards it
-  Swept_arcs arcs_;
-  Plain_vector<Side> sides_of_leaves_; // by arc
 };
 
 } // namespace CGAL::Reeb_graph::internal

@@ -17,9 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/Swept_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
+#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
@@ -29,15 +27,6 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-struct Chain_segment_tag;
-typedef Index_of<Chain_segment_tag> Chain_segment_index;
-
-struct Flat_node
-{
-  Vertex_index vertex;
-  Node_kind kind;
-};
-
 inline Node_kind node_kind(Number in_degree, Number out_degree)
 {
   if(in_degree == 0)
@@ -46,37 +35,6 @@ inline Node_kind node_kind(Number in_degree, Number out_degree)
     return Node_kind::MAXIMUM;
   return in_degree == 1 && out_degree == 1 ? Node_kind::DEGREE_TWO : Node_kind::SADDLE;
 }
-
-// A segment of a chain: steepest steps from the first one on, up to the level just below a vertex. An arc has one, and
-// one more for each plateau of several critical vertices that it passes.
-struct Chain_segment
-{
-  Ascending_step first_step;
-  Vertex_index upper_vertex;
-};
-
-struct Flat_arc
-{
-  Node_index lower;
-  Node_index upper;
-  Chain_segment_index first_segment;
-  Number number_of_segments;
-};
-
-// The Reeb graph by indices: nodes in ascending order, arcs sorted.
-struct Flat_graph
-{
-  Indexed_vector<Node_index, Flat_node> nodes;
-  Indexed_vector<Arc_index, Flat_arc> arcs;
-  Indexed_vector<Chain_segment_index, Chain_segment> segments;
-
-  // By critical vertex: the node that it is part of, or else, on request, the arc that passes it.
-  Indexed_vector<Swept_index, Node_index> node_of_critical;
-  Indexed_vector<Swept_index, Arc_index> arc_of_critical;
-
-  // By arc between critical vertices, on request: the arc that it is part of, no_index if it has been contracted.
-  Indexed_vector<Swept_arc_index, Arc_index> arc_of_critical_arc;
-};
 
 // The groups that critical vertices form: each one alone, or if ties are contracted, those that arcs of length zero
 // connect.

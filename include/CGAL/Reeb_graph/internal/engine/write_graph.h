@@ -19,8 +19,8 @@
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/monotone_paths.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/walks.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -19,7 +19,7 @@
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
-#include <CGAL/Reeb_graph/internal/engine/contour_tracing.h>
+#include <CGAL/Reeb_graph/internal/engine/walks.h>
 #include <CGAL/Reeb_graph/internal/way_back/find_vertex_places.h>
 
 #include <CGAL/boost/graph/iterator.h>

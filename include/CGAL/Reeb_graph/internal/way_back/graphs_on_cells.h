@@ -20,7 +20,7 @@
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
-#include <CGAL/Reeb_graph/internal/engine/Contour_search.h>
+#include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
 #include <CGAL/Reeb_graph/internal/way_back/cells.h>
 
