@@ -317,7 +317,7 @@ BOOST_AUTO_TEST_CASE(intrinsic_triangulations_become_delaunay)
       };
       const auto angles_of_vertices = [&] { // which are the surface's curvature
         std::vector<double> sums(surface.number_of_vertices(), 0);
-        for(CGAL::Reeb_graph::internal::Number h = 0; h != triangulation.number_of_halfedges(); ++h)
+        for(CGAL::Reeb_graph::internal::Index h = 0; h != triangulation.number_of_halfedges(); ++h)
           sums[triangulation.source(h)] += angle(h);
         return sums;
       };
@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(intrinsic_triangulations_become_delaunay)
       triangulation.make_delaunay({progress, 0, 1});
       BOOST_TEST(distance(before, angles_of_vertices()) < 1e-6);
       const double pi = std::acos(-1.);
-      for(CGAL::Reeb_graph::internal::Number h = 0; h != triangulation.number_of_halfedges(); ++h)
+      for(CGAL::Reeb_graph::internal::Index h = 0; h != triangulation.number_of_halfedges(); ++h)
       {
         const auto g = triangulation.opposite(h);
         if(g == CGAL::Reeb_graph::internal::no_index)

@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(as_many_slabs_as_vertices_of_noise)
   const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.mesh->complex, order);
   const auto number_of_slabs = [&](std::size_t wanted) {
     return stages::Slicing(CGAL::Sequential_tag(), surface.mesh->complex, order, critical_vertices,
-                           static_cast<stages::Number>(wanted))
+                           static_cast<stages::Index>(wanted))
       .number_of_slabs();
   };
   for(const std::size_t few : {2, 3, 8, 64})

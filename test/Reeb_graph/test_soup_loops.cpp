@@ -77,7 +77,7 @@ struct Found_contours
   stages::Vertex_order<double, std::less<double>> order = {scalars, std::less<double>()};
   stages::Swept_vertices critical_vertices;
   stages::Plain_vector<stages::Swept_index> vertices;
-  stages::Indexed_vector<stages::Sector_index, stages::Number> names; // by lower sector
+  stages::Indexed_vector<stages::Sector_index, stages::Index> names; // by lower sector
   std::size_t number_of_steps = 0;
 };
 

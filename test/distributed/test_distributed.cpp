@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(ranks_hold_what_meets_their_slabs)
       }
       std::sort(splitters.begin(), splitters.end());
       check_exchange<internal::Vertex_index>(surface, splitters, random);
-      check_exchange<internal::Global_vertex>(surface, splitters, random);
+      check_exchange<internal::Long_index>(surface, splitters, random);
     }
 }
 

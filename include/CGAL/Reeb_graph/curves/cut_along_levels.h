@@ -87,7 +87,7 @@ void write_bands(const RankedMesh& ranked, const NamedParameters& np)
     const auto& mesh = ranked.mesh();
     for(const auto f : faces(mesh))
     {
-      Rank highest = 0;
+      Long_index highest = 0;
       for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
         highest = (std::max)(highest, ranked.rank(v));
       put(map, f, static_cast<std::size_t>(highest / 2));

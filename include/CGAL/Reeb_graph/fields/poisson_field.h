@@ -48,7 +48,7 @@ Field_report solve_poisson_equation(const FaceListGraph& mesh,
   const auto solve = [&](const auto& surface, const Weighted_graph& graph, const Constraints<double>& fixed,
                          const Stage_progress& progress, Field_report& report) {
     std::vector<double> right_side = integrated_right_side(surface, graph);
-    for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
+    for(Index v = 0; v != graph.number_of_vertices(); ++v)
       if(fixed.is_fixed[v])
         right_side[v] = fixed.values[v];
     progress(0);
@@ -259,7 +259,7 @@ Field_report compute_unit_gradient_field(const FaceListGraph& mesh,
     mesh, field_map, np,
     [&](const auto& surface, const auto& graph, auto& fixed) {
       values = fields::read_field(surface, scalar_map);
-      for(const internal::Dense_vertex v : fields::lowest_vertices_of_components(graph, values))
+      for(const internal::Index v : fields::lowest_vertices_of_components(graph, values))
         fixed.fix(v, 0);
     },
     [&](const auto& surface, const auto&) {

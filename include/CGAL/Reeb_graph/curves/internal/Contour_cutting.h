@@ -33,8 +33,8 @@ struct Contour_to_cut
   std::vector<HalfedgeDescriptor> halfedges; // ascending, one for each crossed edge; the higher side is on the left
   bool is_closed = false;
   double value = 0;
-  Rank lower_rank = 0;     // rank of the highest lower end
-  bool is_falling = false; // whether larger values are lower there, in another order than that of numbers
+  Long_index lower_rank = 0; // rank of the highest lower end
+  bool is_falling = false;   // whether larger values are lower there, in another order than that of numbers
 
   friend bool operator<(const Contour_to_cut& a, const Contour_to_cut& b)
   {
@@ -216,7 +216,7 @@ private:
     {
       if(!is_corner(h))
         continue;
-      const Rank rank = ranked_.rank(target(h, mesh_));
+      const Long_index rank = ranked_.rank(target(h, mesh_));
       if(is_first || rank < ranked_.rank(target(ends[0], mesh_)))
         ends[0] = h;
       if(is_first || rank > ranked_.rank(target(ends[1], mesh_)))

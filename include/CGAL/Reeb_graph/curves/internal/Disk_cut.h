@@ -40,7 +40,7 @@ template <class Complex>
 class Disk_cut
 {
   typedef Indexed_vector<Edge_index, bool> Marks;
-  typedef std::pair<double, Number> Entry; // a length, and what has it
+  typedef std::pair<double, Index> Entry; // a length, and what has it
   typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
 
 public:
@@ -178,7 +178,7 @@ private:
   // Leaves out edges at a vertex where the cut meets neither another one nor the border.
   void remove_dead_ends()
   {
-    Indexed_vector<Vertex_index, Number> numbers(complex_.number_of_vertices(), 0); // of edges that are there
+    Indexed_vector<Vertex_index, Index> numbers(complex_.number_of_vertices(), 0); // of edges that are there
     for(const Vertex_index v : complex_.vertices())
       if(complex_.has_vertex(v))
         complex_.for_each_edge_around(v, [&](Vertex_index, Halfedge_index h) { numbers[v] += is_bound(h) ? 1 : 0; });
@@ -214,10 +214,10 @@ private:
   // Takes the vertices at which most edges of the cut meet.
   void choose_sources()
   {
-    std::vector<Number> most(sources_.size(), 0);
+    std::vector<Index> most(sources_.size(), 0);
     for(const Vertex_index v : complex_.vertices())
     {
-      Number number = 0;
+      Index number = 0;
       if(complex_.has_vertex(v))
         complex_.for_each_edge_around(v,
                                       [&](Vertex_index, Halfedge_index h) { number += is_cut_[edge_of(h)] ? 1 : 0; });

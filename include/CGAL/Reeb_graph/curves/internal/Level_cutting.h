@@ -32,22 +32,22 @@ namespace CGAL::Reeb_graph::internal {
 
 // The place of a value among ascending levels, as a rank: 2 i + 1 on level i, 2 i between level i - 1 and level i.
 template <class Scalar, class Less>
-Rank rank_among_levels(const std::vector<Scalar>& levels, const Scalar& value, const Less& less)
+Long_index rank_among_levels(const std::vector<Scalar>& levels, const Scalar& value, const Less& less)
 {
   const auto level = std::lower_bound(levels.begin(), levels.end(), value, less);
   const bool is_on_level = level != levels.end() && !less(value, *level);
-  return 2 * static_cast<Rank>(level - levels.begin()) + (is_on_level ? 1 : 0);
+  return 2 * static_cast<Long_index>(level - levels.begin()) + (is_on_level ? 1 : 0);
 }
 
 // The levels strictly between two ranks, the lower one first: those from `first` on, before `last`.
 struct Levels_between
 {
-  Levels_between(Rank lower, Rank upper) : first((lower + 1) / 2), last((std::max)(first, upper / 2)) {}
+  Levels_between(Long_index lower, Long_index upper) : first((lower + 1) / 2), last((std::max)(first, upper / 2)) {}
 
-  static Rank rank_of(Rank level) { return 2 * level + 1; }
+  static Long_index rank_of(Long_index level) { return 2 * level + 1; }
   std::size_t size() const { return last - first; }
 
-  Rank first, last;
+  Long_index first, last;
 };
 
 // Refines a mesh so that levels become paths of edges: edges are split where they cross a level, and faces between these
@@ -113,7 +113,7 @@ public:
   }
 
 private:
-  Rank rank(halfedge_descriptor h) const { return ranked_.rank(target(h, mesh_)); }
+  Long_index rank(halfedge_descriptor h) const { return ranked_.rank(target(h, mesh_)); }
 
   Levels_between levels_of(edge_descriptor e) const
   {
@@ -143,7 +143,7 @@ private:
       h = opposite(h, mesh_);
     const vertex_descriptor lower = source(h, mesh_), upper = target(h, mesh_);
     const Levels_between levels_between = levels_of(e);
-    for(Rank level = levels_between.first; level != levels_between.last; ++level)
+    for(Long_index level = levels_between.first; level != levels_between.last; ++level)
     {
       const double value = levels_[level];
       const halfedge_descriptor first =
@@ -160,9 +160,9 @@ private:
     const auto [lowest, highest] = ends_of(f);
     const Levels_between levels_between(rank(lowest), rank(highest));
     halfedge_descriptor left = next(lowest, mesh_), right = prev(lowest, mesh_), rest = left;
-    for(Rank level = levels_between.first; level != levels_between.last; ++level)
+    for(Long_index level = levels_between.first; level != levels_between.last; ++level)
     {
-      const Rank wanted = Levels_between::rank_of(level);
+      const Long_index wanted = Levels_between::rank_of(level);
       while(rank(left) != wanted)
         left = next(left, mesh_);
       while(rank(right) != wanted)
@@ -191,7 +191,7 @@ int side_of_level(const RankedMesh& ranked, typename RankedMesh::halfedge_descri
   const auto& mesh = ranked.mesh();
   if(is_border(h, mesh))
     return 0;
-  const Rank level = ranked.rank(target(h, mesh)), third = ranked.rank(target(next(h, mesh), mesh));
+  const Long_index level = ranked.rank(target(h, mesh)), third = ranked.rank(target(next(h, mesh), mesh));
   return (level < third ? 1 : 0) - (third < level ? 1 : 0);
 }
 
@@ -205,7 +205,7 @@ auto curves_of_levels(const RankedMesh& ranked, const std::vector<double>& level
   std::vector<typename RankedMesh::edge_descriptor> edges_of_curves;
   for(const auto e : edges(mesh))
   {
-    const Rank rank = ranked.rank(source(e, mesh));
+    const Long_index rank = ranked.rank(source(e, mesh));
     if(rank % 2 == 1 && rank == ranked.rank(target(e, mesh)))
       edges_of_curves.push_back(e);
   }

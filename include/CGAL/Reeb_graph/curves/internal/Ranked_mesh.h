@@ -34,7 +34,7 @@
 namespace CGAL::Reeb_graph::internal {
 
 // Between the ranks of two vertices of the input there is room for those of the vertices that a refinement adds.
-inline constexpr Rank rank_spacing = Rank(1) << 31;
+inline constexpr Long_index rank_spacing = Long_index(1) << 31;
 
 // A mesh that is refined, with the rank of each vertex, and its value as far as it places the points of new vertices.
 template <class Mesh_, class VertexPointMap, class Visitor>
@@ -46,14 +46,14 @@ public:
   typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::graph_traits<Mesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
-  typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<Rank>>::type Rank_map;
+  typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<Long_index>>::type Rank_map;
   typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<double>>::type Value_map;
 
   Ranked_mesh(Mesh& mesh, VertexPointMap vertex_point_map, Visitor& visitor)
     : mesh_(mesh),
       vertex_point_map_(vertex_point_map),
       visitor_(visitor),
-      rank_map_(get(dynamic_vertex_property_t<Rank>(), mesh)),
+      rank_map_(get(dynamic_vertex_property_t<Long_index>(), mesh)),
       value_map_(get(dynamic_vertex_property_t<double>(), mesh))
   {}
 
@@ -71,11 +71,11 @@ public:
   Mesh& mesh() const { return mesh_; }
   Visitor& visitor() const { return visitor_; }
   Rank_map rank_map() const { return rank_map_; }
-  Rank rank(vertex_descriptor v) const { return get(rank_map_, v); }
+  Long_index rank(vertex_descriptor v) const { return get(rank_map_, v); }
   double value(vertex_descriptor v) const { return get(value_map_, v); }
   const VertexPointMap& vertex_point_map() const { return vertex_point_map_; }
 
-  void place(vertex_descriptor v, Rank rank, double value) const
+  void place(vertex_descriptor v, Long_index rank, double value) const
   {
     put(rank_map_, v, rank);
     put(value_map_, v, value);
@@ -273,8 +273,8 @@ struct Level_borders
   }
 
   std::vector<Level_border<vertex_descriptor>> borders;
-  Number_map number_map;        // number of the border of a vertex plus one, 0 if it is on none
-  std::vector<Rank> last_ranks; // rank nearest to those of the other vertices, by group
+  Number_map number_map;              // number of the border of a vertex plus one, 0 if it is on none
+  std::vector<Long_index> last_ranks; // rank nearest to those of the other vertices, by group
 };
 
 // Finds out on which side of the field the border is. Throws if it is on none.
@@ -347,13 +347,13 @@ void split_chords(const RankedMesh& ranked, Level_borders<typename RankedMesh::M
         put(is_listed, edge(h, mesh), true);
         chords.push_back(h);
       }
-  const Rank step = rank_spacing / 2 / (chords.size() + 1);
+  const Long_index step = rank_spacing / 2 / (chords.size() + 1);
   for(const halfedge_descriptor h : chords)
   {
     const auto u = source(h, mesh), w = target(h, mesh);
     const auto& border = borders.border_of(u);
-    Rank& rank = borders.last_ranks[border.group];
-    rank += border.is_minimum ? step : Rank(0) - step;
+    Long_index& rank = borders.last_ranks[border.group];
+    rank += border.is_minimum ? step : Long_index(0) - step;
     const halfedge_descriptor first = ranked.split_edge(h, u, w, 0.5);
     ranked.place(target(first, mesh), rank, ranked.value(u));
     ranked.split_face(first, next(h, mesh));
@@ -407,7 +407,7 @@ void rank_vertices(const RankedMesh& ranked,
   const Scalar_conversion<Traits> conversion(traits);
   const auto less = traits.less_scalar_object();
   const auto keys = sorted_vertex_keys(ranked, scalar_map, traits, borders);
-  Rank rank = 0;
+  Long_index rank = 0;
   for(std::size_t i = 0; i != keys.size(); ++i)
   {
     const bool is_same_side =

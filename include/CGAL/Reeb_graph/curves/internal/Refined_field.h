@@ -226,7 +226,7 @@ private:
   // what is above them.
   void place(const std::vector<vertex_descriptor>& added)
   {
-    std::unordered_map<Rank, Scalar> lower_values; // the highest ones of vertices that are not added
+    std::unordered_map<Long_index, Scalar> lower_values; // the highest ones of vertices that are not added
     for(std::size_t i = 0; i != added.size(); ++i)
     {
       const vertex_descriptor v = added[i];

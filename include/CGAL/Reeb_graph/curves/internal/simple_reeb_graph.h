@@ -48,7 +48,7 @@ class Vertex_unfolding
   struct Sector
   {
     std::size_t first, size; // positions of the spokes
-    Rank first_rank;         // makes the order independent of the spoke with which they begin
+    Long_index first_rank;   // makes the order independent of the spoke with which they begin
   };
 
 public:
@@ -64,7 +64,7 @@ public:
       return std::tie(a.size, a.first_rank) < std::tie(b.size, b.first_rank);
     });
     sectors_.resize(sectors_.size() - 2);
-    Rank rank = ranked_.rank(v);
+    Long_index rank = ranked_.rank(v);
     for(const Sector& sector : sectors_)
     {
       split_spokes(v, sector, rank);
@@ -104,7 +104,7 @@ private:
     }
   }
 
-  void split_spokes(vertex_descriptor v, const Sector& sector, Rank& rank)
+  void split_spokes(vertex_descriptor v, const Sector& sector, Long_index& rank)
   {
     for(std::size_t i = sector.first; i != sector.first + sector.size; ++i)
     {

@@ -35,17 +35,17 @@ namespace CGAL::Reeb_graph::internal {
 template <class Scalar>
 struct Critical_arc
 {
-  Number lower;
-  Number upper; // a critical vertex; of an open arc, a contour of the highest level of its block
-  Global_vertex first_target;
+  Index lower;
+  Index upper; // a critical vertex; of an open arc, a contour of the highest level of its block
+  Long_index first_target;
   Scalar value_of_first_target;
 };
 
 // Where a contour of the lowest level of a block leads to: a critical vertex, or a contour of its highest level.
 struct Upper_end
 {
-  Number number;
-  Number is_contour;
+  Index number;
+  Index is_contour;
 };
 
 // Adjacent slabs with the arcs between their critical vertices, and what crosses their lowest and their highest level.
@@ -58,7 +58,7 @@ public:
   // One slab. `names` has the numbers of its critical vertices among those of all slabs.
   Slab_block(const Arcs_of_slab& found,
              const Slab_surface<Scalar>& surface,
-             const Indexed_vector<Swept_index, Number>& names)
+             const Indexed_vector<Swept_index, Index>& names)
     : ends_of_contours_(found.numbers_of_contours[Side::LOWER])
   {
     const Tree_node first_contour(names.size());
@@ -66,10 +66,10 @@ public:
     for(const Swept_arc& arc : found.arcs)
     {
       const bool is_open = arc.upper >= first_contour;
-      const Number upper = is_open ? arc.upper.number() - first_upper_contour.number() : names[arc.upper_vertex()];
+      const Index upper = is_open ? arc.upper.number() - first_upper_contour.number() : names[arc.upper_vertex()];
       if(arc.lower >= first_contour)
       {
-        ends_of_contours_[arc.lower.number() - first_contour.number()] = {upper, is_open ? Number(1) : Number(0)};
+        ends_of_contours_[arc.lower.number() - first_contour.number()] = {upper, is_open ? Index(1) : Index(0)};
         continue;
       }
       const Vertex_index target = arc.first_step.target;
@@ -139,7 +139,7 @@ class Gathered_order : public Vertex_order<Scalar, std::less<Scalar>>
 
 public:
   Gathered_order(const Indexed_vector<Vertex_index, Scalar>& values,
-                 const Indexed_vector<Vertex_index, Global_vertex>& global_vertices)
+                 const Indexed_vector<Vertex_index, Long_index>& global_vertices)
     : Base(values, std::less<Scalar>()),
       values_(&values),
       global_vertices_(&global_vertices)
@@ -152,7 +152,7 @@ private:
   Order_key<Scalar> place(Vertex_index v) const { return {(*values_)[v], (*global_vertices_)[v]}; }
 
   const Indexed_vector<Vertex_index, Scalar>* values_;
-  const Indexed_vector<Vertex_index, Global_vertex>* global_vertices_;
+  const Indexed_vector<Vertex_index, Long_index>* global_vertices_;
 };
 
 // The critical vertices and the arcs between them, of all ranks, as rank 0 takes them where a whole surface has been
@@ -179,7 +179,7 @@ public:
     critical_vertices_.template sort<Sequential_tag>(order());
   }
 
-  const Indexed_vector<Vertex_index, Global_vertex>& global_vertices() const { return global_vertices_; }
+  const Indexed_vector<Vertex_index, Long_index>& global_vertices() const { return global_vertices_; }
   const Indexed_vector<Vertex_index, Scalar>& values() const { return values_; }
   Gathered_order<Scalar> order() const { return {values_, global_vertices_}; }
   const Swept_vertices& critical_vertices() const { return critical_vertices_; }
@@ -207,14 +207,14 @@ private:
   // number then; otherwise, nobody compares those that do.
   void add_first_targets(const std::vector<Critical_arc<Scalar>>& arcs, Ties ties)
   {
-    std::vector<Number> order(checked_index(arcs.size()));
-    std::iota(order.begin(), order.end(), Number(0));
+    std::vector<Index> order(checked_index(arcs.size()));
+    std::iota(order.begin(), order.end(), Index(0));
     if(ties == Ties::CONTRACT)
       std::sort(order.begin(), order.end(),
-                [&](Number a, Number b) { return arcs[a].first_target < arcs[b].first_target; });
+                [&](Index a, Index b) { return arcs[a].first_target < arcs[b].first_target; });
     arcs_.resize(arcs.size());
     const Critical_arc<Scalar>* last = nullptr;
-    for(const Number i : order)
+    for(const Index i : order)
     {
       if(last == nullptr || last->first_target != arcs[i].first_target)
         add_vertex({arcs[i].value_of_first_target, arcs[i].first_target});
@@ -224,7 +224,7 @@ private:
     }
   }
 
-  Indexed_vector<Vertex_index, Global_vertex> global_vertices_; // the critical ones, ascending, then others
+  Indexed_vector<Vertex_index, Long_index> global_vertices_; // the critical ones, ascending, then others
   Indexed_vector<Vertex_index, Scalar> values_;
   Swept_vertices critical_vertices_;
   Swept_arcs arcs_;

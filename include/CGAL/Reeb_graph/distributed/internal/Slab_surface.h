@@ -30,9 +30,6 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// The index of a vertex among those of all ranks.
-typedef std::uint64_t Global_vertex;
-
 // The slabs as a rank sees them: all that is below its own one, its own one, and all that is above.
 struct Slabs_of_rank
 {
@@ -52,7 +49,7 @@ struct Slab_surface : Slabs_of_rank
   bool is_lowest() const { return slab == 0; }
   bool is_highest() const { return slab + 1 == number_of_slabs; }
 
-  Indexed_vector<Vertex_index, Global_vertex> global_vertices; // ascending, so local indices break ties as global ones
+  Indexed_vector<Vertex_index, Long_index> global_vertices; // ascending, so local indices break ties as global ones
   Indexed_vector<Vertex_index, Scalar> values;
   Indexed_vector<Vertex_index, Slab_index> slabs_of_vertices; // below(), inside() or above()
   std::vector<std::array<Vertex_index, 3>> triangles;         // in no order
@@ -69,7 +66,7 @@ struct Order_key
   static_assert(std::is_arithmetic_v<Scalar>, "On several ranks, scalar values are numbers.");
 
   Scalar value;
-  Global_vertex vertex;
+  Long_index vertex;
 
   friend bool operator<(const Order_key& a, const Order_key& b)
   {
@@ -91,8 +88,8 @@ std::size_t slab_of(const Splitters<Scalar>& splitters, const Order_key<Scalar>&
 // The vertices that one rank has brought, and knows the values of.
 struct Vertex_range
 {
-  Global_vertex begin;
-  Global_vertex end;
+  Long_index begin;
+  Long_index end;
   std::size_t rank;
 };
 
@@ -106,7 +103,7 @@ public:
     ranges_.erase(std::remove_if(ranges_.begin(), ranges_.end(), is_empty), ranges_.end());
     std::sort(ranges_.begin(), ranges_.end(),
               [](const Vertex_range& a, const Vertex_range& b) { return a.begin < b.begin; });
-    Global_vertex end = 0;
+    Long_index end = 0;
     for(const Vertex_range& range : ranges_)
     {
       if(range.begin != end)
@@ -116,14 +113,14 @@ public:
     number_of_vertices_ = end;
   }
 
-  Global_vertex number_of_vertices() const { return number_of_vertices_; }
+  Long_index number_of_vertices() const { return number_of_vertices_; }
 
   // In ascending order.
   const std::vector<Vertex_range>& ranges() const { return ranges_; }
 
 private:
   std::vector<Vertex_range> ranges_;
-  Global_vertex number_of_vertices_;
+  Long_index number_of_vertices_;
 };
 
 // The surface that a rank holds, of which only the vertices of its slab count as vertices: each has its whole star
@@ -132,7 +129,7 @@ class Slab_complex : public Halfedge_array_complex<Slab_complex>
 {
 public:
   Slab_complex(Halfedge_arrays arrays,
-               const Indexed_vector<Vertex_index, Global_vertex>& global_vertices,
+               const Indexed_vector<Vertex_index, Long_index>& global_vertices,
                const Indexed_vector<Vertex_index, Slab_index>& slabs_of_vertices)
     : Halfedge_array_complex<Slab_complex>(std::move(arrays)),
       global_vertices_(&global_vertices),
@@ -142,7 +139,7 @@ public:
   bool has_vertex(Vertex_index vertex) const { return (*slabs_of_vertices_)[vertex] == Slabs_of_rank::inside(); }
   bool has_star(Vertex_index vertex) const { return has_vertex(vertex); }
 
-  Global_vertex global_vertex(Vertex_index vertex) const { return (*global_vertices_)[vertex]; }
+  Long_index global_vertex(Vertex_index vertex) const { return (*global_vertices_)[vertex]; }
   std::size_t position(Vertex_index vertex) const { return static_cast<std::size_t>(global_vertex(vertex)); }
 
   // For Unchecked_complex. The triangles have three vertices, and there are no edges without them.
@@ -163,7 +160,7 @@ private:
     return static_cast<std::size_t>(std::count_if(halfedges().begin(), halfedges().end(), is_counted));
   }
 
-  const Indexed_vector<Vertex_index, Global_vertex>* global_vertices_;
+  const Indexed_vector<Vertex_index, Long_index>* global_vertices_;
   const Indexed_vector<Vertex_index, Slab_index>* slabs_of_vertices_;
 };
 

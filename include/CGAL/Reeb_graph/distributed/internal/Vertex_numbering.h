@@ -54,20 +54,20 @@ struct Vertex_word
   }
 
   // Leaves out the vertices that are not from `begin` to the one before `end`, where some of the word are.
-  void keep_between(Global_vertex begin, Global_vertex end)
+  void keep_between(Long_index begin, Long_index end)
   {
-    const Global_vertex first = position * size;
+    const Long_index first = position * size;
     if(begin > first)
       bits &= ~Bits(0) << (begin - first);
     if(end < first + size)
       bits &= ~(~Bits(0) << (end - first));
   }
 
-  Global_vertex first() const { return position * size + lowest(bits); }
+  Long_index first() const { return position * size + lowest(bits); }
   std::size_t number_of_vertices() const { return count(bits); }
 
-  static Number lowest(Bits bits) { return count((bits & (~bits + 1)) - 1); }
-  static Number count(Bits bits) { return static_cast<Number>(std::bitset<size>(bits).count()); }
+  static Index lowest(Bits bits) { return count((bits & (~bits + 1)) - 1); }
+  static Index count(Bits bits) { return static_cast<Index>(std::bitset<size>(bits).count()); }
 
   std::uint64_t position; // the first index divided by 64
   Bits bits;
@@ -78,11 +78,11 @@ struct Vertex_word
 class Vertex_numbering
 {
 public:
-  explicit Vertex_numbering(Global_vertex number_of_vertices = 0)
+  explicit Vertex_numbering(Long_index number_of_vertices = 0)
     : pages_(static_cast<std::size_t>(number_of_vertices / page_size) + 1)
   {}
 
-  void add(Global_vertex vertex)
+  void add(Long_index vertex)
   {
     page_of(vertex / page_size).bits[word_of(vertex)] |= Vertex_word::Bits(1) << (vertex % Vertex_word::size);
   }
@@ -102,10 +102,10 @@ public:
     size_ = checked_index(size);
   }
 
-  Number size() const { return size_; }
+  Index size() const { return size_; }
 
   // The number of a vertex of the set.
-  Vertex_index operator[](Global_vertex vertex) const
+  Vertex_index operator[](Long_index vertex) const
   {
     const Page& page = *pages_[vertex / page_size];
     const std::size_t word = word_of(vertex);
@@ -141,7 +141,7 @@ private:
   {
     std::size_t number(std::size_t begin)
     {
-      first = static_cast<Number>(begin);
+      first = static_cast<Index>(begin);
       std::size_t rank = 0;
       for(std::size_t i = 0; i != words_per_page; ++i)
       {
@@ -153,10 +153,10 @@ private:
 
     std::array<Vertex_word::Bits, words_per_page> bits = {};
     std::array<std::uint16_t, words_per_page> ranks;
-    Number first;
+    Index first;
   };
 
-  static std::size_t word_of(Global_vertex vertex) { return vertex / Vertex_word::size % words_per_page; }
+  static std::size_t word_of(Long_index vertex) { return vertex / Vertex_word::size % words_per_page; }
 
   Page& page_of(std::uint64_t position)
   {
@@ -167,7 +167,7 @@ private:
   }
 
   std::vector<std::unique_ptr<Page>> pages_;
-  Number size_ = 0;
+  Index size_ = 0;
 };
 
 // The number of answers that a rank gives, or gets, in a round.
@@ -276,7 +276,7 @@ Parcels<Answer> answer_questions(const std::vector<Vertex_word>& words,
   {
     const std::size_t old_size = answers.items.size();
     for(const auto end = word + counts[rank]; word != end; ++word)
-      word->for_each([&](Global_vertex vertex) { answers.items.push_back(answer_of(vertex)); });
+      word->for_each([&](Long_index vertex) { answers.items.push_back(answer_of(vertex)); });
     answers.counts[rank] = static_cast<int>(answers.items.size() - old_size);
   }
   return answers;
@@ -341,7 +341,7 @@ inline std::uint64_t share_of_sample(std::uint64_t sample_size, std::uint64_t lo
 // room for it. Collective.
 template <class Scalar, class Scalars>
 std::vector<Order_key<Scalar>> sample_vertices(Exchange& exchange,
-                                               Global_vertex begin,
+                                               Long_index begin,
                                                const Scalars& scalars,
                                                std::uint64_t number_of_vertices,
                                                std::size_t number_of_slabs)
@@ -389,16 +389,16 @@ std::vector<std::array<Order_key<Scalar>, 3>> sample_triangles(Exchange& exchang
                                                                const ValueOf& value_of)
 {
   constexpr std::uint64_t sample_size = std::uint64_t(1) << 15;
-  std::vector<std::array<Global_vertex, 3>> sample;
+  std::vector<std::array<Long_index, 3>> sample;
   Vertex_numbering vertices;
   exchange.in_agreement([&] {
     vertices = Vertex_numbering(ranges.number_of_vertices());
     const std::uint64_t size = static_cast<std::uint64_t>(std::end(triangles) - std::begin(triangles));
     for_each_of_sample(size, share_of_sample(sample_size, size, number_of_triangles), [&](std::uint64_t i) {
       const auto& triangle = std::begin(triangles)[static_cast<std::ptrdiff_t>(i)];
-      sample.push_back({static_cast<Global_vertex>(triangle[0]), static_cast<Global_vertex>(triangle[1]),
-                        static_cast<Global_vertex>(triangle[2])});
-      for(const Global_vertex vertex : sample.back())
+      sample.push_back({static_cast<Long_index>(triangle[0]), static_cast<Long_index>(triangle[1]),
+                        static_cast<Long_index>(triangle[2])});
+      for(const Long_index vertex : sample.back())
         vertices.add(vertex);
     });
     vertices.number();
@@ -407,8 +407,8 @@ std::vector<std::array<Order_key<Scalar>, 3>> sample_triangles(Exchange& exchang
   ask_owners(exchange, ranges, vertices, value_of, values);
   std::vector<std::array<Order_key<Scalar>, 3>> result;
   exchange.in_agreement([&] {
-    const auto place = [&](Global_vertex v) { return Order_key<Scalar>{values[vertices[v]], v}; };
-    for(const std::array<Global_vertex, 3>& t : sample)
+    const auto place = [&](Long_index v) { return Order_key<Scalar>{values[vertices[v]], v}; };
+    for(const std::array<Long_index, 3>& t : sample)
       result.push_back({place(t[0]), place(t[1]), place(t[2])});
   });
   return result;

@@ -40,21 +40,21 @@ namespace CGAL::Reeb_graph::internal {
 template <class Scalar>
 struct Climbing_segment
 {
-  Global_vertex vertex;
-  Global_vertex vertex_before; // from which the first step has led there
-  Global_vertex upper_vertex;
+  Long_index vertex;
+  Long_index vertex_before; // from which the first step has led there
+  Long_index upper_vertex;
   Scalar value_of_upper_vertex;
-  Number arc;
-  Number segment;
-  Number goes_on; // whether the upper vertex is above the one that has been reached
+  Index arc;
+  Index segment;
+  Index goes_on; // whether the upper vertex is above the one that has been reached
 };
 
 // How many vertices a part of a segment has.
 struct Part_of_segment
 {
-  Number arc;
-  Number segment;
-  Number size;
+  Index arc;
+  Index segment;
+  Index size;
 };
 
 // The parts of chains on a rank: the steps that begin in its slab, as sequences of vertices.
@@ -89,7 +89,7 @@ public:
   std::vector<Climbing_segment<Scalar>> take_leaving() { return std::exchange(leaving_, {}); }
 
   const std::vector<Part_of_segment>& parts() const { return parts_; }
-  const std::vector<Global_vertex>& vertices() const { return vertices_; } // of all parts
+  const std::vector<Long_index>& vertices() const { return vertices_; } // of all parts
 
 private:
   // A path that has entered an arc cannot leave it below the upper node, so comparisons tell the end. A part of one
@@ -118,7 +118,7 @@ private:
     end_of_parts_ = vertices_.size();
   }
 
-  Vertex_index find_vertex(Global_vertex global) const
+  Vertex_index find_vertex(Long_index global) const
   {
     const auto& vertices = surface_.global_vertices;
     const auto place = std::lower_bound(vertices.begin(), vertices.end(), global);
@@ -137,7 +137,7 @@ private:
   const Order& order_;
   std::vector<Climbing_segment<Scalar>> leaving_;
   std::vector<Part_of_segment> parts_;
-  std::vector<Global_vertex> vertices_;
+  std::vector<Long_index> vertices_;
   std::size_t end_of_parts_ = 0; // among the vertices
 };
 
@@ -151,7 +151,7 @@ Gathered_arrays<Climbing_segment<Scalar>> list_segments(const Gathered_surface<S
   const auto order = surface.order();
   const auto& vertices = surface.global_vertices();
   const auto rank_of = [&](const Chain_segment& segment) {
-    const Number lower = surface.arcs()[Swept_arc_index(segment.first_step.edge.number())].lower.number();
+    const Index lower = surface.arcs()[Swept_arc_index(segment.first_step.edge.number())].lower.number();
     const auto behind = std::upper_bound(begins_of_ranks.begin(), begins_of_ranks.end(), lower);
     return static_cast<std::size_t>(behind - begins_of_ranks.begin()) - 1;
   };
@@ -162,7 +162,7 @@ Gathered_arrays<Climbing_segment<Scalar>> list_segments(const Gathered_surface<S
   segments.elements.resize(segments.begins.back());
   std::vector<std::size_t> ends = segments.begins;
   for(const Arc_index arc : graph.arcs.keys())
-    for(Number i = 0; i != graph.arcs[arc].number_of_segments; ++i)
+    for(Index i = 0; i != graph.arcs[arc].number_of_segments; ++i)
     {
       const Chain_segment_index segment(graph.arcs[arc].first_segment.number() + i);
       const auto& [first_step, upper_vertex] = graph.segments[segment];
@@ -173,7 +173,7 @@ Gathered_arrays<Climbing_segment<Scalar>> list_segments(const Gathered_surface<S
                                                                      surface.values()[upper_vertex],
                                                                      arc.number(),
                                                                      segment.number(),
-                                                                     goes_on ? Number(1) : Number(0)};
+                                                                     goes_on ? Index(1) : Index(0)};
     }
   return segments;
 }
@@ -182,7 +182,7 @@ Gathered_arrays<Climbing_segment<Scalar>> list_segments(const Gathered_surface<S
 // walked, slab by slab. For rank 0.
 inline std::vector<std::pair<std::size_t, std::size_t>> join_chain_parts(std::size_t number_of_segments,
                                                                          const std::vector<Part_of_segment>& parts,
-                                                                         const std::vector<Global_vertex>& vertices,
+                                                                         const std::vector<Long_index>& vertices,
                                                                          Flat_chains& chains)
 {
   auto& begins = chains.begins_of_segments;
@@ -195,7 +195,7 @@ inline std::vector<std::pair<std::size_t, std::size_t>> join_chain_parts(std::si
   auto vertex = vertices.begin();
   for(const Part_of_segment& part : parts)
   {
-    for(Number i = 1; i != part.size; ++i, ++vertex)
+    for(Index i = 1; i != part.size; ++i, ++vertex)
       halfedges[ends[Chain_segment_index(part.segment)]++] = {vertex[0], vertex[1]};
     ++vertex;
   }
@@ -225,8 +225,8 @@ Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
   Slab_block<Scalar> block;
   std::vector<Order_key<Scalar>> places;
   exchange.in_agreement([&] {
-    Indexed_vector<Swept_index, Number> names(size);
-    Number name = checked_index(end) - static_cast<Number>(size);
+    Indexed_vector<Swept_index, Index> names(size);
+    Index name = checked_index(end) - static_cast<Index>(size);
     places.reserve(size);
     for(const Swept_index i : critical_vertices.ascending())
     {
@@ -284,7 +284,7 @@ template <class Scalar, class ReebGraph>
 void write_gathered_graph(Exchange& exchange,
                           const Gathered_graph<Scalar>& gathered,
                           const std::vector<Part_of_segment>& parts,
-                          const std::vector<Global_vertex>& vertices,
+                          const std::vector<Long_index>& vertices,
                           ReebGraph& graph)
 {
   const auto all_parts = gather_arrays(exchange, parts);

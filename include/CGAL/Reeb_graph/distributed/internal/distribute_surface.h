@@ -68,7 +68,7 @@ struct Local_part
 
   const TriangleRange& triangles;
   const ScalarRange& scalars;
-  Global_vertex begin = 0; // of the vertices of this rank
+  Long_index begin = 0; // of the vertices of this rank
   std::size_t size;
   std::size_t number_of_local_triangles;
   std::uint64_t first_triangle = 0;      // among those of all ranks
@@ -78,7 +78,7 @@ struct Local_part
   std::uint64_t number_of_vertices() const { return ranges.number_of_vertices(); }
 
   // The value of a vertex of this rank.
-  auto value(Global_vertex vertex) const
+  auto value(Long_index vertex) const
   {
     auto value = std::begin(scalars)[static_cast<std::ptrdiff_t>(vertex - begin)];
     return value;
@@ -87,7 +87,7 @@ struct Local_part
   // Throws if a value is NaN.
   void check_scalars() const
   {
-    for(Global_vertex v = begin; v != begin + size; ++v)
+    for(Long_index v = begin; v != begin + size; ++v)
       if(!is_ordered(value(v)))
         throw Unordered_scalar_error(static_cast<std::size_t>(v));
   }
@@ -97,9 +97,9 @@ struct Local_part
   template <class Visit>
   void check_triangles(const Visit& visit) const
   {
-    const Global_vertex end = ranges.number_of_vertices();
+    const Long_index end = ranges.number_of_vertices();
     std::uint64_t position = first_triangle;
-    for_each_triangle([&](Global_vertex a, Global_vertex b, Global_vertex c) {
+    for_each_triangle([&](Long_index a, Long_index b, Long_index c) {
       if(a >= end || b >= end || c >= end)
         throw Vertex_out_of_range_error("face", static_cast<std::size_t>(position));
       if(a == b || b == c || c == a)
@@ -116,13 +116,13 @@ struct Local_part
   void for_each_triangle(const Visit& visit) const
   {
     for(const auto& t : triangles)
-      visit(static_cast<Global_vertex>(t[0]), static_cast<Global_vertex>(t[1]), static_cast<Global_vertex>(t[2]));
+      visit(static_cast<Long_index>(t[0]), static_cast<Long_index>(t[1]), static_cast<Long_index>(t[2]));
   }
 
 private:
   struct Sizes
   {
-    Global_vertex begin;
+    Long_index begin;
     std::uint64_t vertices, scalars, triangles;
   };
 
@@ -133,14 +133,14 @@ private:
   }
 
   template <class VertexRange>
-  static Global_vertex first_of_contiguous(const VertexRange& vertices)
+  static Long_index first_of_contiguous(const VertexRange& vertices)
   {
     if(std::begin(vertices) == std::end(vertices))
       return 0;
-    const Global_vertex first = static_cast<Global_vertex>(*std::begin(vertices));
-    Global_vertex next = first;
+    const Long_index first = static_cast<Long_index>(*std::begin(vertices));
+    Long_index next = first;
     for(const auto vertex : vertices)
-      if(static_cast<Global_vertex>(vertex) != next++)
+      if(static_cast<Long_index>(vertex) != next++)
         throw Vertex_ranges_error(static_cast<std::size_t>(next - 1));
     return first;
   }
@@ -164,8 +164,8 @@ struct Triangle_counts
 };
 
 // A vertex of a triangle on the way: as 32 bits where that is enough for the vertices of all ranks.
-inline Global_vertex global_vertex(Vertex_index vertex) { return vertex.number(); }
-inline Global_vertex global_vertex(Global_vertex vertex) { return vertex; }
+inline Long_index global_vertex(Vertex_index vertex) { return vertex.number(); }
+inline Long_index global_vertex(Long_index vertex) { return vertex; }
 
 template <class Vertex>
 using Triangles_of = std::vector<std::array<Vertex, 3>>;
@@ -236,7 +236,7 @@ Triangles_of<Vertex> send_triangles(Exchange& exchange,
 
 // Adds the vertices of each slab to the numbering of its rank. Those of this rank begin at `begin`. Collective.
 inline void send_vertices(Exchange& exchange,
-                          Global_vertex begin,
+                          Long_index begin,
                           const std::vector<Short_slab>& slabs,
                           Vertex_numbering& numbering)
 {
@@ -322,7 +322,7 @@ Splitters<Scalar> choose_slabs(Exchange& exchange,
   const auto vertices =
     sample_vertices<Scalar>(exchange, part.begin, part.scalars, part.number_of_vertices(), number_of_slabs);
   const auto triangles = sample_triangles<Scalar>(exchange, part.ranges, part.triangles, part.number_of_triangles,
-                                                  [&](Global_vertex v) { return part.value(v); });
+                                                  [&](Long_index v) { return part.value(v); });
   Splitters<Scalar> splitters = choose_splitters(exchange, vertices, number_of_slabs);
   double crossings = slabs_per_triangle(exchange, triangles, splitters);
   counts.slabs_per_triangle_if_all = crossings;
@@ -348,11 +348,11 @@ std::vector<Slab_range> find_slabs_of_triangles(Exchange& exchange,
   std::vector<Short_slab> slabs;
   ask_owners(
     exchange, part.ranges, vertices,
-    [&](Global_vertex v) { return slabs_of_range[static_cast<std::size_t>(v - part.begin)]; }, slabs);
+    [&](Long_index v) { return slabs_of_range[static_cast<std::size_t>(v - part.begin)]; }, slabs);
   std::vector<Slab_range> result;
   exchange.in_agreement([&] {
     result.reserve(part.number_of_local_triangles);
-    part.for_each_triangle([&](Global_vertex a, Global_vertex b, Global_vertex c) {
+    part.for_each_triangle([&](Long_index a, Long_index b, Long_index c) {
       const auto ends =
         std::minmax({slabs[vertices[a].number()], slabs[vertices[b].number()], slabs[vertices[c].number()]});
       result.push_back({ends.first, ends.second});
@@ -370,12 +370,12 @@ void fill_vertices(Exchange& exchange,
                    Slab_surface<Scalar>& surface)
 {
   ask_owners(
-    exchange, part.ranges, numbering, [&](Global_vertex v) { return part.value(v); }, surface.values);
+    exchange, part.ranges, numbering, [&](Long_index v) { return part.value(v); }, surface.values);
   exchange.in_agreement([&] {
     surface.global_vertices.reserve(numbering.size());
     surface.slabs_of_vertices.reserve(numbering.size());
     numbering.for_each_word(0, [&](const Vertex_word& word) {
-      word.for_each([&](Global_vertex v) {
+      word.for_each([&](Long_index v) {
         const Order_key<Scalar> place = {surface.values[surface.global_vertices.end_key()], v};
         const bool is_below = surface.slab != 0 && !(splitters[surface.slab - 1] < place);
         const bool is_above = surface.slab < splitters.size() && splitters[surface.slab] < place;
@@ -400,7 +400,7 @@ Slab_surface<Scalar> exchange_surface(Exchange& exchange,
   std::vector<Short_slab> slabs_of_range;
   exchange.in_agreement([&] {
     slabs_of_range.reserve(part.size);
-    for(Global_vertex v = part.begin; v != part.begin + part.size; ++v)
+    for(Long_index v = part.begin; v != part.begin + part.size; ++v)
       slabs_of_range.push_back(static_cast<Short_slab>(slab_of(splitters, Order_key<Scalar>{part.value(v), v})));
   });
   std::vector<Slab_range> slabs = find_slabs_of_triangles(exchange, part, vertices, slabs_of_range);
@@ -452,17 +452,16 @@ Slab_surface<Scalar> distribute_surface(Exchange& exchange,
   exchange.in_agreement([&] {
     vertices = Vertex_numbering(part.number_of_vertices());
     part.check_scalars();
-    part.check_triangles([&](Global_vertex v) { vertices.add(v); });
+    part.check_triangles([&](Long_index v) { vertices.add(v); });
     vertices.number();
   });
-  const std::size_t most =
-    (std::min)({exchange.number_of_ranks(), most_slabs,
-                static_cast<std::size_t>((std::max)(part.number_of_vertices(), Global_vertex(1)))});
+  const std::size_t most = (std::min)({exchange.number_of_ranks(), most_slabs,
+                                       static_cast<std::size_t>((std::max)(part.number_of_vertices(), Long_index(1)))});
   number_of_slabs = number_of_slabs == 0 ? most : (std::min)(number_of_slabs, most);
   const Splitters<Scalar> splitters = choose_slabs<Scalar>(exchange, part, number_of_slabs, counts);
   if(part.number_of_vertices() < no_index)
     return exchange_surface<Scalar, Vertex_index>(exchange, part, std::move(vertices), splitters, counts);
-  return exchange_surface<Scalar, Global_vertex>(exchange, part, std::move(vertices), splitters, counts);
+  return exchange_surface<Scalar, Long_index>(exchange, part, std::move(vertices), splitters, counts);
 }
 
 } // namespace CGAL::Reeb_graph::internal

@@ -108,7 +108,7 @@ public:
 
   std::uint64_t number_of_edges = 0;
   std::uint64_t number_of_loops = 0; // closed ones
-  Number number_of_paths = 0;
+  Index number_of_paths = 0;
   // Paths that cross a level, in the order of the edges that cross it, which is the same on both sides.
   By_side<std::vector<Border_path>> paths_across;
 
@@ -119,14 +119,14 @@ private:
                   const Indexed_vector<Border_path, Edge_index>& edges)
   {
     const auto& slabs = surface.slabs_of_vertices;
-    Disjoint_sets<Border_path> sets(static_cast<Number>(edges.size()));
-    Indexed_vector<Vertex_index, Number> edges_at_vertices(complex.number_of_vertices(), 0); // from 1 on
-    Indexed_vector<Border_path, Number> names(edges.size(), no_index);
+    Disjoint_sets<Border_path> sets(static_cast<Index>(edges.size()));
+    Indexed_vector<Vertex_index, Index> edges_at_vertices(complex.number_of_vertices(), 0); // from 1 on
+    Indexed_vector<Border_path, Index> names(edges.size(), no_index);
     for(const Border_path i : edges.keys())
     {
       for(const Halfedge_index halfedge : {even_halfedge(edges[i]), opposite_of(even_halfedge(edges[i]))})
       {
-        Number& other = edges_at_vertices[complex.target(halfedge)];
+        Index& other = edges_at_vertices[complex.target(halfedge)];
         if(slabs[complex.target(halfedge)] == surface.inside() && other != 0)
           sets.unite(i, Border_path(other - 1));
         other = i.number() + 1;
@@ -141,7 +141,7 @@ private:
         const Slab_index outside = side == Side::LOWER ? surface.below() : surface.above();
         if((a == outside) == (b == outside))
           continue;
-        Number& name = names[sets.find(i)];
+        Index& name = names[sets.find(i)];
         name = name == no_index ? number_of_paths++ : name;
         paths_across[side].push_back(Border_path(name));
       }
@@ -190,7 +190,7 @@ std::array<std::uint64_t, 2> count_borders(Exchange& exchange,
 // The parts of chains for the user: those of each arc in their order.
 template <class Scalar>
 void describe_chains(const std::vector<Part_of_segment>& parts,
-                     const std::vector<Global_vertex>& vertices,
+                     const std::vector<Long_index>& vertices,
                      Distributed_slab<Scalar>& slab)
 {
   std::vector<std::size_t> begins, order;

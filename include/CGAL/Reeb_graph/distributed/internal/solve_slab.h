@@ -42,7 +42,7 @@ class Triangle_linking
 {
 public:
   Triangle_linking(std::vector<std::array<Vertex_index, 3>> triangles,
-                   const Indexed_vector<Vertex_index, Global_vertex>& global_vertices)
+                   const Indexed_vector<Vertex_index, Long_index>& global_vertices)
     : triangles_(std::move(triangles)),
       global_vertices_(global_vertices),
       halfedges_of_corners_(checked_index(3 * triangles_.size()))
@@ -133,7 +133,7 @@ private:
   }
 
   const std::vector<std::array<Vertex_index, 3>> triangles_;
-  const Indexed_vector<Vertex_index, Global_vertex>& global_vertices_;
+  const Indexed_vector<Vertex_index, Long_index>& global_vertices_;
   Indexed_vector<Corner_index, Halfedge_index> halfedges_of_corners_;
   std::size_t number_of_halfedges_ = 0;
   std::optional<std::pair<std::size_t, std::size_t>> non_manifold_edge_; // the first one
@@ -169,7 +169,7 @@ public:
   }
 
   const Bounding_level* level(Side side) const { return levels_[side] ? &*levels_[side] : nullptr; }
-  Number number_of_contours(Side side) const { return levels_[side] ? levels_[side]->number_of_contours() : 0; }
+  Index number_of_contours(Side side) const { return levels_[side] ? levels_[side]->number_of_contours() : 0; }
 
 private:
   By_side<std::optional<Bounding_level>> levels_;
@@ -196,7 +196,7 @@ Classified_complex<Complex> make_and_classify(Slab_surface<Scalar>& surface, con
     Simplicial_complex complex(surface.global_vertices.size(), for_each_triangle, [](const auto&) {});
     surface.triangles = {};
     Swept_vertices critical_vertices =
-      find_vertices_of_complex<Sequential_tag>(complex, order, [&](Vertex_index v, const By_side<Number>& numbers) {
+      find_vertices_of_complex<Sequential_tag>(complex, order, [&](Vertex_index v, const By_side<Index>& numbers) {
         return surface.slabs_of_vertices[v] == surface.inside() && has_critical_numbers_of_sectors(numbers);
       });
     return {std::move(complex), std::move(critical_vertices)};
@@ -208,7 +208,7 @@ Classified_complex<Complex> make_and_classify(Slab_surface<Scalar>& surface, con
 struct Arcs_of_slab
 {
   Swept_arcs arcs;
-  By_side<Number> numbers_of_contours = {0, 0};
+  By_side<Index> numbers_of_contours = {0, 0};
 };
 
 // Finds the arcs between the critical vertices of the rank's slab and the contours of its bounding levels. Calls

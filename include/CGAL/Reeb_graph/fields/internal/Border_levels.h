@@ -43,23 +43,23 @@ struct Field_border
 template <class Scalar, class Less>
 std::vector<Field_border<Scalar>> find_field_borders(const Weighted_graph& graph,
                                                      const std::vector<Scalar>& values,
-                                                     const std::vector<std::vector<Dense_vertex>>& borders,
+                                                     const std::vector<std::vector<Index>>& borders,
                                                      const Less& less)
 {
   std::vector<Index> border_of_vertex(graph.number_of_vertices(), no_index);
   for(std::size_t b = 0; b != borders.size(); ++b)
-    for(const Dense_vertex v : borders[b])
+    for(const Index v : borders[b])
       border_of_vertex[v] = static_cast<Index>(b);
   std::vector<Field_border<Scalar>> result;
   for(std::size_t b = 0; b != borders.size(); ++b)
   {
     std::vector<Scalar> own_values, neighbors;
-    for(const Dense_vertex v : borders[b])
+    for(const Index v : borders[b])
       own_values.push_back(values[v]);
     std::sort(own_values.begin(), own_values.end(), less);
     const Scalar &lowest = own_values.front(), &highest = own_values.back();
     Field_border<Scalar> border = {{}, lowest, highest, own_values[own_values.size() / 2], {}, {}, {}};
-    for(const Dense_vertex v : borders[b])
+    for(const Index v : borders[b])
       for(const auto& neighbor : graph.neighbors(v))
       {
         const Index number = border_of_vertex[neighbor.vertex];
@@ -115,7 +115,7 @@ class Border_levels
 public:
   Border_levels(const Weighted_graph& graph,
                 const std::vector<Scalar>& values,
-                const std::vector<std::vector<Dense_vertex>>& borders,
+                const std::vector<std::vector<Index>>& borders,
                 const Traits& traits)
     : less_(traits.less_scalar_object()),
       conversion_(traits),

@@ -53,7 +53,7 @@ public:
       graph_(equations.graph),
       rows_(graph_.number_of_vertices(), no_index)
   {
-    for(const Dense_vertex v : Breadth_first_search(graph_).order)
+    for(const Index v : Breadth_first_search(graph_).order)
       if(!equations.is_fixed[v])
       {
         rows_[v] = static_cast<Index>(vertices_.size());
@@ -61,7 +61,7 @@ public:
       }
     factors_.assign(vertices_.size(), 1);
     right_side_.reserve(vertices_.size());
-    for(const Dense_vertex v : vertices_)
+    for(const Index v : vertices_)
     {
       right_side_.push_back(-equations.values[v]);
       for(const auto& n : graph_.neighbors(v))
@@ -131,18 +131,18 @@ public:
   }
 
 private:
-  bool is_free(Dense_vertex v) const { return rows_[v] != no_index; }
+  bool is_free(Index v) const { return rows_[v] != no_index; }
 
-  double symmetric_weight(Dense_vertex v, const Weighted_graph::Neighbor& n) const
+  double symmetric_weight(Index v, const Weighted_graph::Neighbor& n) const
   {
     return std::sqrt(n.weight) * std::sqrt(graph_.weight(n.vertex, v)) * equations_.surface.edge_length(v, n.vertex);
   }
 
   const Dirichlet_equations& equations_;
   const Weighted_graph& graph_;
-  std::vector<Index> rows_;            // row of each vertex, no_index if it is fixed
-  std::vector<Dense_vertex> vertices_; // vertex of each row
-  Values right_side_, factors_;        // of the rows
+  std::vector<Index> rows_;     // row of each vertex, no_index if it is fixed
+  std::vector<Index> vertices_; // vertex of each row
+  Values right_side_, factors_; // of the rows
 };
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields

@@ -50,7 +50,7 @@ public:
                        }
                      }),
       distances_(surface.number_of_vertices(), std::numeric_limits<double>::infinity()),
-      origins_(surface.number_of_vertices(), no_vertex),
+      origins_(surface.number_of_vertices(), no_index),
       is_final_(surface.number_of_vertices(), false)
   {
     for(Halfedge h = 0; h != triangulation.number_of_halfedges(); ++h)
@@ -64,12 +64,12 @@ public:
   // The distances from the sources, for the points divided by surface.scale(): infinite where there is no source.
   std::vector<double> operator()(const std::vector<bool>& is_source, const Stage_progress& progress)
   {
-    for(Dense_vertex v = 0; v != surface_.number_of_vertices(); ++v)
+    for(Index v = 0; v != surface_.number_of_vertices(); ++v)
       if(is_source[v])
         reach(v, 0, v);
     for(std::size_t step = 0; !queue_.empty();)
     {
-      const Dense_vertex v = queue_.top().second;
+      const Index v = queue_.top().second;
       queue_.pop();
       if(is_final_[v])
         continue;
@@ -82,16 +82,16 @@ public:
 
 private:
   typedef Intrinsic_triangulation::Halfedge Halfedge;
-  typedef std::pair<double, Dense_vertex> Entry;
+  typedef std::pair<double, Index> Entry;
 
   struct End
   {
-    Dense_vertex vertex;
+    Index vertex;
     double length;
   };
 
   // Reaches the neighbors of a vertex that has just got its distance.
-  void leave(Dense_vertex v)
+  void leave(Index v)
   {
     for(const End& end : flipped_edges_[Vertex_index(v)])
       reach(end.vertex, distances_[v] + end.length, v);
@@ -110,8 +110,7 @@ private:
   void cross_triangle(Halfedge h)
   {
     const Halfedge next = triangulation_.next(h), previous = triangulation_.previous(h);
-    const Dense_vertex v = triangulation_.source(h), a = triangulation_.source(next),
-                       b = triangulation_.source(previous);
+    const Index v = triangulation_.source(h), a = triangulation_.source(next), b = triangulation_.source(previous);
     const double va = triangulation_.length(h), ab = triangulation_.length(next), bv = triangulation_.length(previous);
     reach(a, distances_[v] + va, v);
     reach(b, distances_[v] + bv, v);
@@ -123,12 +122,11 @@ private:
 
   // Reaches c through the edge from v, the last vertex with a distance, to a: straight from the one point in the plane
   // of the triangle, beyond the edge, that has the right distances from both, if there is one.
-  void reach_through(Dense_vertex v, Dense_vertex a, double va, Dense_vertex c, double vc, double ac)
+  void reach_through(Index v, Index a, double va, Index c, double vc, double ac)
   {
-    const Dense_vertex origin_of_v = origins_[a] == v ? v : origins_[v],
-                       origin_of_a = origins_[v] == a ? a : origins_[a];
-    const Dense_vertex origin = common_origin(origin_of_v, origin_of_a);
-    const double offset = origin == no_vertex ? 0 : distances_[origin];
+    const Index origin_of_v = origins_[a] == v ? v : origins_[v], origin_of_a = origins_[v] == a ? a : origins_[a];
+    const Index origin = common_origin(origin_of_v, origin_of_a);
+    const double offset = origin == no_index ? 0 : distances_[origin];
     const double from_v = distances_[v] - offset, from_a = distances_[a] - offset;
     if(from_v + from_a < va)
       return;
@@ -141,24 +139,24 @@ private:
     const double bound_of_v = bound(origin_of_v, c), bound_of_a = bound(origin_of_a, c);
     const double distance = offset + std::hypot(x - x_of_source, y + y_of_source);
     reach(c, (std::max)({distance, (std::min)(bound_of_v, bound_of_a), distances_[v]}),
-          origin != no_vertex ? origin : (bound_of_v < bound_of_a ? origin_of_v : origin_of_a));
+          origin != no_index ? origin : (bound_of_v < bound_of_a ? origin_of_v : origin_of_a));
   }
 
-  // The origin that two of them have in common, if one is the other one's, or no_vertex.
-  Dense_vertex common_origin(Dense_vertex a, Dense_vertex b) const
+  // The origin that two of them have in common, if one is the other one's, or no_index.
+  Index common_origin(Index a, Index b) const
   {
     if(a == b || origins_[a] == b)
       return b;
-    return origins_[b] == a ? a : no_vertex;
+    return origins_[b] == a ? a : no_index;
   }
 
   // The length of no way by an origin is less.
-  double bound(Dense_vertex origin, Dense_vertex v) const
+  double bound(Index origin, Index v) const
   {
     return distances_[origin] + length(surface_.point(v) - surface_.point(origin));
   }
 
-  void reach(Dense_vertex v, double distance, Dense_vertex origin)
+  void reach(Index v, double distance, Index origin)
   {
     if(is_final_[v] || !(distance < distances_[v]))
       return;
@@ -172,7 +170,7 @@ private:
   std::vector<Halfedge> outgoing_; // of each vertex, at a border vertex from which all others come counterclockwise
   const Buckets<Vertex_index, End> flipped_edges_;
   std::vector<double> distances_;
-  std::vector<Dense_vertex> origins_;
+  std::vector<Index> origins_;
   std::vector<bool> is_final_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
 };

@@ -51,7 +51,7 @@ inline Vector normalized(const Vector& vector)
 // The vertices of a triangle, and for each i whether the edge from corner i to corner i + 1 is on the border.
 struct Indexed_triangle
 {
-  std::array<Dense_vertex, 3> vertices;
+  std::array<Index, 3> vertices;
   std::array<bool, 3> is_on_border;
 };
 
@@ -60,15 +60,15 @@ struct Indexed_triangle
 class Indexed_surface
 {
 public:
-  Dense_vertex number_of_vertices() const { return static_cast<Dense_vertex>(points_.size()); }
+  Index number_of_vertices() const { return static_cast<Index>(points_.size()); }
   const std::vector<Indexed_triangle>& triangles() const { return triangles_; }
 
-  const Vector& point(Dense_vertex v) const { return points_[v]; }
+  const Vector& point(Index v) const { return points_[v]; }
   double scale() const { return scale_; }
 
   // The length of an edge between two vertices, for the points divided by scale(). All edges can be made longer, by the
   // same length; the points stay.
-  double edge_length(Dense_vertex u, Dense_vertex v) const { return length(point(v) - point(u)) + added_length_; }
+  double edge_length(Index u, Index v) const { return length(point(v) - point(u)) + added_length_; }
   double added_length() const { return added_length_; }
   void set_added_length(double added_length) { added_length_ = added_length; }
 
@@ -89,7 +89,7 @@ protected:
       p = p / scale_;
   }
 
-  void add_triangle(const std::array<Dense_vertex, 3>& vertices, const std::array<bool, 3>& is_on_border)
+  void add_triangle(const std::array<Index, 3>& vertices, const std::array<bool, 3>& is_on_border)
   {
     triangles_.push_back({vertices, is_on_border});
   }
@@ -129,20 +129,20 @@ public:
   const Vertex_handles& vertex_handles() const { return vertices_; }
   const Flat_mesh<FaceListGraph>& flat_mesh() const { return *flat_mesh_; }
 
-  // The number of a vertex, no_vertex if it is not one of the mesh.
-  Dense_vertex dense_vertex(vertex_descriptor v) const
+  // The number of a vertex, no_index if it is not one of the mesh.
+  Index dense_vertex(vertex_descriptor v) const
   {
     if(v == boost::graph_traits<Mesh>::null_vertex())
-      return no_vertex;
+      return no_index;
     const Vertex_index number = flat_mesh_->numbers.number_of(v);
-    const Dense_vertex vertex = dense_vertices_.contains(number) ? dense_vertices_[number] : no_vertex;
-    return vertex != no_vertex && vertex_handle(vertex) == v ? vertex : no_vertex;
+    const Index vertex = dense_vertices_.contains(number) ? dense_vertices_[number] : no_index;
+    return vertex != no_index && vertex_handle(vertex) == v ? vertex : no_index;
   }
 
 private:
   Vertex_handles vertices_;
   std::shared_ptr<const Flat_mesh<FaceListGraph>> flat_mesh_;
-  Indexed_vector<Vertex_index, Dense_vertex> dense_vertices_; // by number
+  Indexed_vector<Vertex_index, Index> dense_vertices_; // by number
 };
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields

@@ -39,11 +39,11 @@ class Intrinsic_triangulation
 {
 public:
   // Halfedge 3 t + i is the one from corner i to corner i + 1 of triangle t.
-  typedef Number Halfedge;
+  typedef Index Halfedge;
 
   struct Edge
   {
-    Dense_vertex source, target;
+    Index source, target;
     double length;
   };
 
@@ -56,18 +56,18 @@ public:
     for(Halfedge h = 0; h != records_.size(); ++h)
     {
       const auto& corners = surface.triangles()[h / 3].vertices;
-      const Dense_vertex v = corners[h % 3], w = corners[(h + 1) % 3];
+      const Index v = corners[h % 3], w = corners[(h + 1) % 3];
       records_[h] = {v, opposites[h], surface.edge_length(v, w)};
     }
   }
 
-  Dense_vertex number_of_vertices() const { return number_of_vertices_; }
-  Number number_of_halfedges() const { return static_cast<Number>(records_.size()); }
+  Index number_of_vertices() const { return number_of_vertices_; }
+  Index number_of_halfedges() const { return static_cast<Index>(records_.size()); }
 
   static Halfedge next(Halfedge h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Halfedge previous(Halfedge h) { return h % 3 == 0 ? h + 2 : h - 1; }
   Halfedge opposite(Halfedge h) const { return records_[h].opposite; }
-  Dense_vertex source(Halfedge h) const { return records_[h].source; }
+  Index source(Halfedge h) const { return records_[h].source; }
   double length(Halfedge h) const { return records_[h].length; }
 
   // Flips edges until none of them faces angles of more than 180 degrees together: A. I. Bobenko and B. A. Springborn,
@@ -100,7 +100,7 @@ public:
 private:
   struct Record
   {
-    Dense_vertex source;
+    Index source;
     Halfedge opposite;
     double length;
   };
@@ -152,7 +152,7 @@ private:
     // The new triangles are h, previous(h), next(g), and g, previous(g), next(h).
     const std::array<Halfedge, 4> old_places = {previous(h), next(g), previous(g), next(h)};
     const std::array<Halfedge, 4> new_places = {next(h), previous(h), next(g), previous(g)};
-    const Dense_vertex end_of_g = source(previous(g)), end_of_h = source(previous(h));
+    const Index end_of_g = source(previous(g)), end_of_h = source(previous(h));
     std::array<Record, 4> moved;
     std::array<bool, 4> is_new;
     for(std::size_t i = 0; i != 4; ++i)
@@ -176,7 +176,7 @@ private:
     return true;
   }
 
-  Dense_vertex number_of_vertices_;
+  Index number_of_vertices_;
   std::vector<Record> records_; // of halfedges
   std::vector<bool> is_new_;    // for halfedges that have come by a flip
   std::vector<Edge> flipped_edges_;

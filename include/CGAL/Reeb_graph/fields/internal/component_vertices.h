@@ -23,12 +23,11 @@
 namespace CGAL::Reeb_graph::internal::scalar_fields {
 
 // The vertex of least value of each component, the first one if there are several.
-inline std::vector<Dense_vertex> lowest_vertices_of_components(const Weighted_graph& graph,
-                                                               const std::vector<double>& values)
+inline std::vector<Index> lowest_vertices_of_components(const Weighted_graph& graph, const std::vector<double>& values)
 {
   const std::vector<Index> labels = label_components(graph);
-  std::vector<Dense_vertex> lowest_vertices;
-  for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
+  std::vector<Index> lowest_vertices;
+  for(Index v = 0; v != graph.number_of_vertices(); ++v)
     if(labels[v] == lowest_vertices.size())
       lowest_vertices.push_back(v);
     else if(values[v] < values[lowest_vertices[labels[v]]])
@@ -38,16 +37,16 @@ inline std::vector<Dense_vertex> lowest_vertices_of_components(const Weighted_gr
 
 // Two vertices of each component: the one farthest from its first vertex along the edges, and the one farthest from
 // that; of several the first one. They are the same only in a component of a single vertex.
-inline std::vector<std::pair<Dense_vertex, Dense_vertex>> far_apart_vertices(const Indexed_surface& surface,
-                                                                             const Weighted_graph& graph)
+inline std::vector<std::pair<Index, Index>> far_apart_vertices(const Indexed_surface& surface,
+                                                               const Weighted_graph& graph)
 {
-  typedef std::pair<double, Dense_vertex> Entry;
+  typedef std::pair<double, Index> Entry;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> distances(graph.number_of_vertices(), infinity); // between two searches
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  const auto farthest_from = [&](Dense_vertex source) {
-    std::vector<Dense_vertex> reached;
-    const auto reach = [&](double distance, Dense_vertex v) {
+  const auto farthest_from = [&](Index source) {
+    std::vector<Index> reached;
+    const auto reach = [&](double distance, Index v) {
       if(!(distance < distances[v]))
         return;
       distances[v] = distance;
@@ -67,16 +66,16 @@ inline std::vector<std::pair<Dense_vertex, Dense_vertex>> far_apart_vertices(con
         if(distances[n.vertex] > entry.first)
           reach(entry.first + length(surface.point(n.vertex) - surface.point(entry.second)), n.vertex);
     }
-    for(const Dense_vertex v : reached)
+    for(const Index v : reached)
       distances[v] = infinity;
     return farthest.second;
   };
   const std::vector<Index> labels = label_components(graph);
-  std::vector<std::pair<Dense_vertex, Dense_vertex>> pairs;
-  for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
+  std::vector<std::pair<Index, Index>> pairs;
+  for(Index v = 0; v != graph.number_of_vertices(); ++v)
     if(labels[v] == pairs.size())
     {
-      const Dense_vertex lowest = farthest_from(v), highest = farthest_from(lowest);
+      const Index lowest = farthest_from(v), highest = farthest_from(lowest);
       const auto neighbors = graph.neighbors(lowest);
       const bool do_all_points_coincide = lowest == highest && !neighbors.empty();
       pairs.emplace_back(lowest, do_all_points_coincide ? neighbors.begin()->vertex : highest);

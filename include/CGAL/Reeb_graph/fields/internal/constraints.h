@@ -54,9 +54,9 @@ struct Constraints
       values(number_of_vertices, Scalar(0))
   {}
 
-  void fix(Dense_vertex v, Scalar value)
+  void fix(Index v, Scalar value)
   {
-    if(v == no_vertex)
+    if(v == no_index)
       throw Unknown_vertex_error();
     if(!std::isfinite(value))
       throw Non_finite_scalar_error(v);
@@ -79,10 +79,10 @@ inline void check_components(const Weighted_graph& graph, const std::vector<bool
 {
   const std::vector<Index> labels = label_components(graph);
   std::vector<bool> is_constrained(graph.number_of_vertices(), false); // by component
-  for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
+  for(Index v = 0; v != graph.number_of_vertices(); ++v)
     if(is_fixed[v])
       is_constrained[labels[v]] = true;
-  for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
+  for(Index v = 0; v != graph.number_of_vertices(); ++v)
     if(!is_constrained[labels[v]])
       throw Unconstrained_component_error(labels[v], v);
 }

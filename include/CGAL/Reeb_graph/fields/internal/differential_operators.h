@@ -119,7 +119,7 @@ inline std::vector<double> scaled_integrated_mean_curvatures(const Indexed_surfa
 {
   std::vector<double> curvatures;
   curvatures.reserve(surface.number_of_vertices());
-  for(Dense_vertex v = 0; v != surface.number_of_vertices(); ++v)
+  for(Index v = 0; v != surface.number_of_vertices(); ++v)
   {
     Vector sum = NULL_VECTOR;
     for(const auto& n : cotangents.neighbors(v))

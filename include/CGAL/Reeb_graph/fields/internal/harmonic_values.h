@@ -72,7 +72,7 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
                          const Constraints<Scalar>& constraints, const Stage_progress& progress, Field_report& report) {
     const Unit_range<Scalar> range(constraints);
     std::vector<double> fixed_values(graph.number_of_vertices(), 0);
-    for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
+    for(Index v = 0; v != graph.number_of_vertices(); ++v)
       if(constraints.is_fixed[v])
         fixed_values[v] = range.to_unit(constraints.values[v]);
     progress(0);
@@ -81,7 +81,7 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
       solve_dirichlet_problem({surface, graph, weights, constraints.is_fixed, fixed_values, solution_progress}, 1, np);
     report.number_of_iterations = solution.number_of_steps;
     std::vector<Scalar> values = constraints.values;
-    for(Dense_vertex v = 0; v != graph.number_of_vertices(); ++v)
+    for(Index v = 0; v != graph.number_of_vertices(); ++v)
       if(!constraints.is_fixed[v])
         values[v] = range.from_unit(solution.values[v]);
     check_finite(values);

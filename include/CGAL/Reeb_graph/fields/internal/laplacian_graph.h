@@ -26,7 +26,7 @@ namespace CGAL::Reeb_graph::internal::scalar_fields {
 inline Weighted_graph laplacian_graph(const Indexed_surface& surface, Laplacian_weights weights)
 {
   return Weighted_graph(surface.number_of_vertices(), [&](const auto& visit) {
-    const auto visit_both = [&](Dense_vertex u, Dense_vertex v, double weight) {
+    const auto visit_both = [&](Index u, Index v, double weight) {
       visit(Weighted_graph::Contribution{u, v, weight});
       visit(Weighted_graph::Contribution{v, u, weight});
     };

@@ -55,17 +55,17 @@ public:
 
   // Fills the basins of those candidates that are minima, but not minima of `old_values`, where the basin lies among
   // the free vertices.
-  void remove_new_minima(const std::vector<Dense_vertex>& candidates, const std::vector<Scalar>& old_values, int sign)
+  void remove_new_minima(const std::vector<Index>& candidates, const std::vector<Scalar>& old_values, int sign)
   {
     sign_ = static_cast<Scalar>(sign);
-    std::vector<Dense_vertex> minima;
-    for(const Dense_vertex v : candidates)
+    std::vector<Index> minima;
+    for(const Index v : candidates)
     {
       if(is_minimum(v, values_) && !is_minimum(v, old_values))
         minima.push_back(v);
     }
-    std::sort(minima.begin(), minima.end(), [&](Dense_vertex u, Dense_vertex v) { return is_lower(v, u, values_); });
-    for(const Dense_vertex v : minima)
+    std::sort(minima.begin(), minima.end(), [&](Index u, Index v) { return is_lower(v, u, values_); });
+    for(const Index v : minima)
     {
       if(is_minimum(v, values_))
         fill(v);
@@ -74,33 +74,30 @@ public:
 
 private:
   typedef std::pair<Scalar, std::ptrdiff_t> Order_key; // in the total order
-  typedef std::pair<Order_key, Dense_vertex> Vertex_with_key;
+  typedef std::pair<Order_key, Index> Vertex_with_key;
   typedef std::priority_queue<Vertex_with_key, std::vector<Vertex_with_key>, std::greater<Vertex_with_key>> Queue;
 
-  Order_key key(Dense_vertex v, const std::vector<Scalar>& values) const
+  Order_key key(Index v, const std::vector<Scalar>& values) const
   {
     return {sign_ * values[v], static_cast<std::ptrdiff_t>(v) * (sign_ > 0 ? 1 : -1)};
   }
-  bool is_lower(Dense_vertex u, Dense_vertex v, const std::vector<Scalar>& values) const
-  {
-    return key(u, values) < key(v, values);
-  }
+  bool is_lower(Index u, Index v, const std::vector<Scalar>& values) const { return key(u, values) < key(v, values); }
 
-  bool is_minimum(Dense_vertex v, const std::vector<Scalar>& values) const
+  bool is_minimum(Index v, const std::vector<Scalar>& values) const
   {
     const auto neighbors = graph_.neighbors(v);
     return std::none_of(neighbors.begin(), neighbors.end(),
                         [&](const auto& n) { return is_lower(n.vertex, v, values); });
   }
 
-  bool has_lower_neighbor_outside(Dense_vertex v) const
+  bool has_lower_neighbor_outside(Index v) const
   {
     const auto neighbors = graph_.neighbors(v);
     return std::any_of(neighbors.begin(), neighbors.end(),
                        [&](const auto& n) { return basins_[n.vertex] != basin_ && is_lower(n.vertex, v, values_); });
   }
 
-  void add(Dense_vertex v)
+  void add(Index v)
   {
     basins_[v] = basins_next_to_[v] = basin_;
     vertices_.push_back(v);
@@ -114,14 +111,14 @@ private:
   }
 
   // Grows the basin of a minimum to the lowest pass. Nothing is changed if there is none among the free vertices.
-  void fill(Dense_vertex minimum)
+  void fill(Index minimum)
   {
     ++basin_;
     vertices_.clear();
     shore_ = Queue();
     for(add(minimum); !shore_.empty();)
     {
-      const Dense_vertex v = shore_.top().second;
+      const Index v = shore_.top().second;
       shore_.pop();
       if(is_on_border_[v])
         return;
@@ -133,7 +130,7 @@ private:
     }
   }
 
-  void raise_above(Dense_vertex pass)
+  void raise_above(Index pass)
   {
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
     const Scalar from = sign_ * values_[pass], lowest = sign_ * values_[vertices_.front()];
@@ -150,7 +147,7 @@ private:
     if(!(last < to))
       return;
     const auto order = st_numbering_(
-      vertices_, [&](Dense_vertex v) { return basins_[v] == basin_; }, [&](Dense_vertex v) { return v == pass; });
+      vertices_, [&](Index v) { return basins_[v] == basin_; }, [&](Index v) { return v == pass; });
     for(std::size_t i = 0; i != order.size(); ++i)
       values_[order[i]] = sign_ * ascending[i];
   }
@@ -162,15 +159,15 @@ private:
   Scalar sign_ = 1;
   std::size_t basin_ = 0;                            // number of the basin that is being filled
   std::vector<std::size_t> basins_, basins_next_to_; // by vertex, the last basin that it was in, or in or next to
-  std::vector<Dense_vertex> vertices_;               // of the basin
+  std::vector<Index> vertices_;                      // of the basin
   Queue shore_;                                      // the vertices next to the basin
 };
 
 // The vertices of each border component.
 template <class Mesh, class NumberOfVertex>
-std::vector<std::vector<Dense_vertex>> vertices_of_borders(const Mesh& mesh, const NumberOfVertex& number)
+std::vector<std::vector<Index>> vertices_of_borders(const Mesh& mesh, const NumberOfVertex& number)
 {
-  std::vector<std::vector<Dense_vertex>> borders;
+  std::vector<std::vector<Index>> borders;
   for(const auto& cycle : find_border_cycles(mesh))
   {
     borders.emplace_back();
@@ -181,14 +178,14 @@ std::vector<std::vector<Dense_vertex>> vertices_of_borders(const Mesh& mesh, con
 }
 
 // The vertices that are on no border, and at most `width` edges away from the given ones; nearer ones come first.
-inline std::vector<Dense_vertex> vertices_around(const Weighted_graph& graph,
-                                                 const std::vector<Dense_vertex>& border_vertices,
-                                                 const std::vector<bool>& is_on_border,
-                                                 std::size_t width)
+inline std::vector<Index> vertices_around(const Weighted_graph& graph,
+                                          const std::vector<Index>& border_vertices,
+                                          const std::vector<bool>& is_on_border,
+                                          std::size_t width)
 {
-  std::vector<Dense_vertex> reached = border_vertices;
+  std::vector<Index> reached = border_vertices;
   std::vector<bool> is_reached(graph.number_of_vertices(), false);
-  for(const Dense_vertex v : border_vertices)
+  for(const Index v : border_vertices)
     is_reached[v] = true;
   std::size_t begin = 0;
   for(; width > 0 && begin != reached.size(); --width)
@@ -207,7 +204,7 @@ inline std::vector<Dense_vertex> vertices_around(const Weighted_graph& graph,
 // The values of a field, changed so that each border component is an extremal level; see make_borders_level().
 template <class Scalar, class Traits>
 std::vector<Scalar> level_border_values(const Weighted_graph& graph,
-                                        const std::vector<std::vector<Dense_vertex>>& borders,
+                                        const std::vector<std::vector<Index>>& borders,
                                         const std::vector<Scalar>& values,
                                         const Traits& traits,
                                         Border_extremum wish,
@@ -216,10 +213,10 @@ std::vector<Scalar> level_border_values(const Weighted_graph& graph,
   const auto less = traits.less_scalar_object();
   std::vector<Scalar> result = values;
   std::vector<bool> is_on_border(values.size(), false), is_free(values.size(), false);
-  std::vector<Dense_vertex> changed;
+  std::vector<Index> changed;
   const std::vector<Scalar> levels = Border_levels<Scalar, Traits>(graph, values, borders, traits)(wish);
   for(std::size_t b = 0; b != borders.size(); ++b)
-    for(const Dense_vertex v : borders[b])
+    for(const Index v : borders[b])
     {
       is_on_border[v] = true;
       if(less(values[v], levels[b]) || less(levels[b], values[v]))
@@ -228,10 +225,10 @@ std::vector<Scalar> level_border_values(const Weighted_graph& graph,
     }
   if constexpr(has_level_numbers<Scalar, Traits>)
   {
-    const std::vector<Dense_vertex> collar = vertices_around(graph, changed, is_on_border, collar_width);
+    const std::vector<Index> collar = vertices_around(graph, changed, is_on_border, collar_width);
     if(collar.empty())
       return result;
-    for(const Dense_vertex v : collar)
+    for(const Index v : collar)
       is_free[v] = true;
     Basin_filling<Scalar> basins(graph, is_free, is_on_border, result);
     for(const int sign : {1, -1})
@@ -262,13 +259,11 @@ Changes write_level_borders(const Mesh& mesh,
   progress.report(0.95); // the last one before the field changes
   Changes changes;
   const Scalar_conversion<Traits> conversion(traits);
-  const auto is_changed = [&](Dense_vertex v) {
-    return less(values[v], new_values[v]) || less(new_values[v], values[v]);
-  };
+  const auto is_changed = [&](Index v) { return less(values[v], new_values[v]) || less(new_values[v], values[v]); };
   changes.number_of_borders = borders.size();
   for(const auto& border : borders)
     changes.number_of_changed_borders += std::any_of(border.begin(), border.end(), is_changed) ? 1 : 0;
-  for(Dense_vertex v = 0; v != values.size(); ++v)
+  for(Index v = 0; v != values.size(); ++v)
   {
     if(!is_changed(v))
       continue;

@@ -59,20 +59,20 @@ public:
   bool is_changed() const { return std::find(is_monotone_.begin(), is_monotone_.end(), false) != is_monotone_.end(); }
 
   // The vertices, from the lowest to the highest one.
-  const std::vector<Dense_vertex>& ascending() const { return ascending_; }
+  const std::vector<Index>& ascending() const { return ascending_; }
 
   // Gives the vertices of parts that can have no value but that of the fixed vertices around them this value.
   void set_constant_values(std::vector<Scalar>& values) const
   {
     for(const Part& part : parts_)
-      if(part.lower_neighbor == no_vertex)
-        for(const Dense_vertex v : part.vertices)
+      if(part.lower_neighbor == no_index)
+        for(const Index v : part.vertices)
           values[v] = part.constant_value;
   }
 
 private:
   // The order by value; of equal values, fixed vertices come first, so that a value is fixed once or not at all.
-  bool is_lower(Dense_vertex u, Dense_vertex v) const
+  bool is_lower(Index u, Index v) const
   {
     return std::make_tuple(values_[u], !is_fixed_[u], u) < std::make_tuple(values_[v], !is_fixed_[v], v);
   }
@@ -81,13 +81,13 @@ private:
   std::vector<bool> reach_from_fixed_vertices(const IsStrictlyHigher& is_strictly_higher) const
   {
     std::vector<bool> is_reached = is_fixed_;
-    std::vector<Dense_vertex> stack;
-    for(Dense_vertex v = 0; v != graph_.number_of_vertices(); ++v)
+    std::vector<Index> stack;
+    for(Index v = 0; v != graph_.number_of_vertices(); ++v)
       if(is_fixed_[v])
         stack.push_back(v);
     while(!stack.empty())
     {
-      const Dense_vertex v = stack.back();
+      const Index v = stack.back();
       stack.pop_back();
       for(const auto& n : graph_.neighbors(v))
         if(!is_reached[n.vertex] && is_strictly_higher(values_[n.vertex], values_[v]))
@@ -103,14 +103,14 @@ private:
   {
     const auto is_reached_upwards = reach_from_fixed_vertices([](Scalar a, Scalar b) { return a > b; });
     const auto is_reached_downwards = reach_from_fixed_vertices([](Scalar a, Scalar b) { return a < b; });
-    for(Dense_vertex v = 0; v != graph_.number_of_vertices(); ++v)
+    for(Index v = 0; v != graph_.number_of_vertices(); ++v)
       is_monotone_[v] = is_reached_upwards[v] && is_reached_downwards[v];
   }
 
   struct Part
   {
-    std::vector<Dense_vertex> vertices;      // ascending once the part is placed
-    Dense_vertex lower_neighbor = no_vertex; // none for a constant part
+    std::vector<Index> vertices;     // ascending once the part is placed
+    Index lower_neighbor = no_index; // none for a constant part
     Scalar constant_value = 0;
   };
 
@@ -118,7 +118,7 @@ private:
   {
     part_of_vertex_.assign(graph_.number_of_vertices(), no_index);
     St_numbering st_numbering(graph_);
-    for(Dense_vertex v = 0; v != graph_.number_of_vertices(); ++v)
+    for(Index v = 0; v != graph_.number_of_vertices(); ++v)
     {
       if(is_monotone_[v] || part_of_vertex_[v] != no_index)
         continue;
@@ -128,7 +128,7 @@ private:
     }
   }
 
-  Part collect_part(Dense_vertex first, Index number)
+  Part collect_part(Index first, Index number)
   {
     Part part;
     part.vertices.push_back(first);
@@ -144,14 +144,14 @@ private:
   }
 
   // The monotone and fixed vertices next to a part, from the lowest to the highest.
-  std::vector<Dense_vertex> neighbors_of_part(const Part& part) const
+  std::vector<Index> neighbors_of_part(const Part& part) const
   {
-    std::vector<Dense_vertex> result;
-    for(const Dense_vertex v : part.vertices)
+    std::vector<Index> result;
+    for(const Index v : part.vertices)
       for(const auto& n : graph_.neighbors(v))
         if(is_monotone_[n.vertex])
           result.push_back(n.vertex);
-    std::sort(result.begin(), result.end(), [&](Dense_vertex u, Dense_vertex v) { return is_lower(u, v); });
+    std::sort(result.begin(), result.end(), [&](Index u, Index v) { return is_lower(u, v); });
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
@@ -159,11 +159,11 @@ private:
   // Places a part in the largest gap between the values of its neighbors, where there is the most room.
   void place(Part& part, Index number, St_numbering& st_numbering)
   {
-    const std::vector<Dense_vertex> neighbors = neighbors_of_part(part);
+    const std::vector<Index> neighbors = neighbors_of_part(part);
     std::size_t best = 0;
     for(std::size_t i = 1; i < neighbors.size(); ++i)
     {
-      const Dense_vertex u = neighbors[i - 1], v = neighbors[i];
+      const Index u = neighbors[i - 1], v = neighbors[i];
       const bool are_fixed_to_one_value = is_fixed_[u] && is_fixed_[v] && values_[u] == values_[v];
       if(!are_fixed_to_one_value && (best == 0 || gap(neighbors, i) > gap(neighbors, best)))
         best = i;
@@ -173,14 +173,14 @@ private:
       part.constant_value = values_[neighbors.front()];
       return;
     }
-    const Dense_vertex lowest_of_upper = neighbors[best];
+    const Index lowest_of_upper = neighbors[best];
     part.lower_neighbor = neighbors[best - 1];
     part.vertices = st_numbering(
-      part.vertices, [&](Dense_vertex v) { return part_of_vertex_[v] == number; },
-      [&](Dense_vertex v) { return is_lower(v, lowest_of_upper); });
+      part.vertices, [&](Index v) { return part_of_vertex_[v] == number; },
+      [&](Index v) { return is_lower(v, lowest_of_upper); });
   }
 
-  Scalar gap(const std::vector<Dense_vertex>& neighbors, std::size_t i) const
+  Scalar gap(const std::vector<Index>& neighbors, std::size_t i) const
   {
     return values_[neighbors[i]] - values_[neighbors[i - 1]];
   }
@@ -188,22 +188,21 @@ private:
   // Merges the parts into the order of the monotone vertices; each follows its lower neighbor.
   void merge()
   {
-    std::vector<Dense_vertex> monotone_vertices;
-    for(Dense_vertex v = 0; v != graph_.number_of_vertices(); ++v)
+    std::vector<Index> monotone_vertices;
+    for(Index v = 0; v != graph_.number_of_vertices(); ++v)
       if(is_monotone_[v])
         monotone_vertices.push_back(v);
-    std::sort(monotone_vertices.begin(), monotone_vertices.end(),
-              [&](Dense_vertex u, Dense_vertex v) { return is_lower(u, v); });
+    std::sort(monotone_vertices.begin(), monotone_vertices.end(), [&](Index u, Index v) { return is_lower(u, v); });
     std::vector<std::size_t> next_part(parts_.size(), parts_.size());
     std::vector<std::size_t> first_part(graph_.number_of_vertices(), parts_.size());
     for(std::size_t i = parts_.size(); i-- > 0;)
-      if(parts_[i].lower_neighbor != no_vertex)
+      if(parts_[i].lower_neighbor != no_index)
       {
         next_part[i] = first_part[parts_[i].lower_neighbor];
         first_part[parts_[i].lower_neighbor] = i;
       }
     ascending_.reserve(graph_.number_of_vertices());
-    for(const Dense_vertex v : monotone_vertices)
+    for(const Index v : monotone_vertices)
     {
       ascending_.push_back(v);
       for(std::size_t i = first_part[v]; i != parts_.size(); i = next_part[i])
@@ -217,25 +216,25 @@ private:
   std::vector<bool> is_monotone_;
   std::vector<Part> parts_;
   std::vector<Index> part_of_vertex_;
-  std::vector<Dense_vertex> ascending_;
+  std::vector<Index> ascending_;
 };
 
 // The supports of each free vertex: a neighbor that is to be strictly lower, and one that is to be strictly higher.
 struct Supports
 {
-  std::vector<Dense_vertex> lower, upper; // no_vertex for fixed and constant vertices
+  std::vector<Index> lower, upper; // no_index for fixed and constant vertices
 
   template <class Scalar>
   Supports(const Weighted_graph& graph, const std::vector<bool>& is_fixed, const Extremum_free_order<Scalar>& order)
-    : lower(graph.number_of_vertices(), no_vertex),
-      upper(graph.number_of_vertices(), no_vertex)
+    : lower(graph.number_of_vertices(), no_index),
+      upper(graph.number_of_vertices(), no_index)
   {
     std::vector<Index> ranks(graph.number_of_vertices(), no_index);
     Index rank = 0;
-    for(const Dense_vertex v : order.ascending())
+    for(const Index v : order.ascending())
       ranks[v] = rank++;
     const auto is_lower = [&](const auto& a, const auto& b) { return ranks[a.vertex] < ranks[b.vertex]; };
-    for(const Dense_vertex v : order.ascending())
+    for(const Index v : order.ascending())
       if(!is_fixed[v])
       {
         const auto neighbors = graph.neighbors(v);
@@ -250,25 +249,25 @@ struct Supports
 // it; or sweeps downwards, and lowers them.
 template <class Scalar, class Move>
 std::vector<Scalar> sweep(Side begin,
-                          const std::vector<Dense_vertex>& ascending,
+                          const std::vector<Index>& ascending,
                           const Supports& supports,
                           std::vector<Scalar> values,
                           const Move& move)
 {
   const bool is_upwards = begin == Side::LOWER;
-  const std::vector<Dense_vertex>&before = is_upwards ? supports.lower : supports.upper,
+  const std::vector<Index>&before = is_upwards ? supports.lower : supports.upper,
         &behind = is_upwards ? supports.upper : supports.lower;
-  const auto push = [&](Dense_vertex v, Dense_vertex support) {
+  const auto push = [&](Index v, Index support) {
     const Scalar bound = move(values[support]);
     values[v] = is_upwards ? (std::max)(values[v], bound) : (std::min)(values[v], bound);
   };
   for(std::size_t i = 0; i != ascending.size(); ++i)
   {
-    const Dense_vertex v = ascending[is_upwards ? i : ascending.size() - 1 - i];
-    if(before[v] == no_vertex)
+    const Index v = ascending[is_upwards ? i : ascending.size() - 1 - i];
+    if(before[v] == no_index)
       continue;
     push(v, before[v]);
-    if(before[behind[v]] != no_vertex)
+    if(before[behind[v]] != no_index)
       push(behind[v], v);
   }
   return values;
@@ -290,7 +289,7 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
   const auto next_above = [](Scalar value) { return std::nextafter(value, infinity); };
   const auto next_below = [](Scalar value) { return std::nextafter(value, -infinity); };
   std::vector<Scalar> lowest = values, highest = values;
-  for(const Dense_vertex v : ascending)
+  for(const Index v : ascending)
     if(!is_fixed[v])
     {
       lowest[v] = -infinity;
@@ -301,7 +300,7 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
 
   const std::vector<Scalar> above = sweep(Side::LOWER, ascending, supports, values, same);
   const std::vector<Scalar> below = sweep(Side::UPPER, ascending, supports, values, same);
-  for(const Dense_vertex v : ascending)
+  for(const Index v : ascending)
   {
     if(is_fixed[v])
       continue;
@@ -310,7 +309,7 @@ void remove_extrema(const Weighted_graph& graph, const std::vector<bool>& is_fix
     if(above[v] != below[v])
       values[v] = above[v] / 2 + below[v] / 2;
   }
-  for(const Dense_vertex v : ascending)
+  for(const Index v : ascending)
     if(!is_fixed[v])
       values[v] = (std::min)((std::max)(values[v], lowest[v]), highest[v]);
   values = sweep(Side::LOWER, ascending, supports, std::move(values), next_above);

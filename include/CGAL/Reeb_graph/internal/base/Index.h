@@ -20,11 +20,12 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// Indices and what counts them have 32 bits: half the memory traffic of the sweeps.
-typedef std::uint32_t Number;
+// Integers have three names. An Index is a number of things of a mesh, or how many they are: 32 bits are half the memory
+// traffic of the sweeps.
+typedef std::uint32_t Index;
 
-// An index of things of one kind, where there are no others.
-typedef Number Index;
+// A number of things of all ranks together, or a place in an order in which others are put later.
+typedef std::uint64_t Long_index;
 
 // The null value of all kinds of indices.
 struct No_index
@@ -41,9 +42,9 @@ class Index_of
 public:
   Index_of() = default;
   constexpr Index_of(No_index) : number_(No_index()) {}
-  explicit constexpr Index_of(std::size_t number) : number_(static_cast<Number>(number)) {}
+  explicit constexpr Index_of(std::size_t number) : number_(static_cast<Index>(number)) {}
 
-  constexpr Number number() const { return number_; }
+  constexpr Index number() const { return number_; }
 
   Index_of& operator++()
   {
@@ -59,13 +60,13 @@ public:
   friend constexpr bool operator>=(Index_of a, Index_of b) { return a.number_ >= b.number_; }
 
 private:
-  Number number_;
+  Index number_;
 };
 
 // An index of any kind as a number.
-constexpr Number number_of(Index index) { return index; }
+constexpr Index number_of(Index index) { return index; }
 template <class Tag>
-constexpr Number number_of(Index_of<Tag> index)
+constexpr Index number_of(Index_of<Tag> index)
 {
   return index.number();
 }
@@ -89,7 +90,7 @@ public:
   };
 
   Index_range(Key begin, Key end) : begin_{begin}, end_{end} {}
-  explicit Index_range(std::size_t size) : Index_range(Key(0), Key(static_cast<Number>(size))) {}
+  explicit Index_range(std::size_t size) : Index_range(Key(0), Key(static_cast<Index>(size))) {}
 
   iterator begin() const { return begin_; }
   iterator end() const { return end_; }
@@ -99,11 +100,11 @@ private:
 };
 
 // Throws if there are more things than indices.
-inline Number checked_index(std::size_t size)
+inline Index checked_index(std::size_t size)
 {
-  if(size >= (std::numeric_limits<Number>::max)())
+  if(size >= (std::numeric_limits<Index>::max)())
     throw Mesh_size_error();
-  return static_cast<Number>(size);
+  return static_cast<Index>(size);
 }
 
 // The side of a level, or of a vertex.

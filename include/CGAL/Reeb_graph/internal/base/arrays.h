@@ -286,7 +286,7 @@ public:
   void count_ranks()
   {
     ranks_.resize(words_.size());
-    Number rank = 0;
+    Index rank = 0;
     for(std::size_t i = 0; i != words_.size(); ++i)
     {
       ranks_[i] = rank;
@@ -295,7 +295,7 @@ public:
     size_ = rank;
   }
 
-  Number size() const { return size_; }
+  Index size() const { return size_; }
 
   // How many lower indices are in the set: the name of one that is in it.
   Rank_index rank(Key key) const
@@ -317,12 +317,12 @@ public:
 
 private:
   static std::size_t word_of(Key key) { return key.number() / bits_per_word; }
-  static Number bit_of(Key key) { return key.number() % bits_per_word; }
-  static Number count(Word word) { return static_cast<Number>(std::bitset<bits_per_word>(word).count()); }
+  static Index bit_of(Key key) { return key.number() % bits_per_word; }
+  static Index count(Word word) { return static_cast<Index>(std::bitset<bits_per_word>(word).count()); }
 
   Plain_vector<Word> words_;
-  Plain_vector<Number> ranks_; // by word
-  Number size_ = 0;
+  Plain_vector<Index> ranks_; // by word
+  Index size_ = 0;
 };
 
 // Items in buckets, one for each key, one behind the other in one array: made by counting, then placing them. In a
@@ -355,8 +355,8 @@ public:
       ++number_of_items;
     });
     checked_index(number_of_items);
-    Number sum = 0;
-    for(Number& first : first_items_)
+    Index sum = 0;
+    for(Index& first : first_items_)
       first = sum += first;
     items_.resize(number_of_items);
     for_each_item([&](Key key, const Item& item) { items_[first_items_[Key(key.number() + 1)]++] = item; });
@@ -375,7 +375,7 @@ public:
   }
 
 private:
-  Indexed_vector<Key, Number> first_items_; // by key; and the end
+  Indexed_vector<Key, Index> first_items_; // by key; and the end
   Vector_of<Item> items_;
 };
 

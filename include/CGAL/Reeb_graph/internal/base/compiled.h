@@ -11,13 +11,13 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/tuning.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 
 // The seam of the library CGAL::Reeb_graph_compiled, in which the stages are compiled once for what nearly all use. Its
@@ -58,10 +58,6 @@ typedef Surface_mesh_complex<Epeck_point> Epeck_complex;
 template <class Scalar>
 using Natural_order = Vertex_order<Scalar, std::less<Scalar>>;
 
-// The place of a vertex in the total order. Only comparisons decide the Reeb graph, so ranks can take the place of
-// scalar values where surfaces are cut along curves.
-typedef std::uint64_t Rank;
-
 } // namespace Reeb_graph::internal
 } // namespace CGAL
 
@@ -100,7 +96,7 @@ typedef std::uint64_t Rank;
   CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                               \
   CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, double))
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)                                                                       \
-  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Rank)
+  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Long_index)
 #define CGAL_REEB_GRAPH_FOR_SOUPS(M)                                                                                   \
   M(CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Simplicial_complex, double)                                            \
   CGAL_REEB_GRAPH_IF_PARALLEL(M(CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, Simplicial_complex, double))
@@ -111,7 +107,7 @@ typedef std::uint64_t Rank;
   M(PREFIX, TAG, Epeck_point, SCALAR)
 #define CGAL_REEB_GRAPH_FOR_POINTS(M)                                                                                  \
   CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                                 \
-  CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Rank)                                   \
+  CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Long_index)                             \
   CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, double))
 // Surfaces of doubles, for functions that know no threads.
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(M)                                                                \

@@ -35,7 +35,7 @@ template <class Element>
 class Disjoint_sets
 {
 public:
-  explicit Disjoint_sets(Number size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), Element(0)); }
+  explicit Disjoint_sets(Index size) : parents_(size) { std::iota(parents_.begin(), parents_.end(), Element(0)); }
 
   Element find(Element element)
   {
@@ -68,7 +68,7 @@ template <class Node>
 class Merging_components
 {
 public:
-  Number size() const { return static_cast<Number>(components_.size()); }
+  Index size() const { return static_cast<Index>(components_.size()); }
 
   // Adds a component of which `node` is all.
   Component_index add(Node node)

@@ -71,7 +71,7 @@ Complex check_complex(Unchecked_complex<Complex> unchecked,
     No_visitor_of_fan visitor;
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
-      const Number number_of_corners = regular_vertices.number_of_corners(v);
+      const Index number_of_corners = regular_vertices.number_of_corners(v);
       if(number_of_corners == 0)
       {
         unchecked.set_fan(v, counts, visitor);
@@ -130,13 +130,13 @@ std::shared_ptr<const Flat_values<FaceListGraph, typename Traits::Scalar>> share
 
 // The positions in vertices(mesh) by number, no_index for those of removed vertices.
 template <class FaceListGraph>
-Indexed_vector<Vertex_index, Number> list_positions(const Flat_mesh<FaceListGraph>& flat_mesh)
+Indexed_vector<Vertex_index, Index> list_positions(const Flat_mesh<FaceListGraph>& flat_mesh)
 {
-  Indexed_vector<Vertex_index, Number> positions;
+  Indexed_vector<Vertex_index, Index> positions;
   positions.reserve(flat_mesh.complex.number_of_vertices());
-  Number position = 0;
+  Index position = 0;
   for(const Vertex_index v : flat_mesh.complex.vertices())
-    positions.push_back(flat_mesh.complex.has_vertex(v) ? position++ : Number(no_index));
+    positions.push_back(flat_mesh.complex.has_vertex(v) ? position++ : Index(no_index));
   return positions;
 }
 

@@ -41,7 +41,7 @@ std::size_t sample_turn(const Complex& complex,
                         const Order& order,
                         Vertex_index vertex,
                         Sampled_turns& sample,
-                        Plain_vector<Number>& pages)
+                        Plain_vector<Index>& pages)
 {
   constexpr std::size_t halfedges_per_page = 256, most_steps = 16;
   const auto can_go_on = [&](Halfedge_index h) {
@@ -77,7 +77,7 @@ Sampled_turns sample_turns(const Complex& complex, const Order& order)
 {
   constexpr std::size_t number_of_rows = 16, vertices_per_row = 32;
   Sampled_turns sample;
-  Plain_vector<Number> pages;
+  Plain_vector<Index> pages;
   for(std::size_t row = 0; row != number_of_rows; ++row)
   {
     const std::size_t first = row * (complex.number_of_vertices() - vertices_per_row) / number_of_rows;
@@ -115,12 +115,12 @@ struct Triangle_addends
   // Counts of a vertex, as one number, so that it is written once for each corner: of the corners of triangles; of those
   // where it is not the middle vertex; and of those with the halfedge that the mesh keeps for it. Where there are too
   // many of them for their bits, the sum of all corners is wrong, if it is below 2^31.
-  static constexpr Number corner = 1 << 16, no_middle = 2, kept = 1;
+  static constexpr Index corner = 1 << 16, no_middle = 2, kept = 1;
 
   // For a halfedge with a triangle, and if the vertex opposite of it is the highest one, or the lowest one.
   static constexpr std::uint8_t is_there = 4, is_highest = 1, is_lowest = 2;
 
-  std::array<Number, 3> counts = {};
+  std::array<Index, 3> counts = {};
   std::array<std::uint8_t, 3> apexes = {}; // opposite of the halfedge that ends at each vertex
 };
 
@@ -190,11 +190,11 @@ public:
   }
 
   // How many corners of triangles are at a vertex, 0 if it is none of these.
-  Number number_of_corners(Vertex_index vertex) const
+  Index number_of_corners(Vertex_index vertex) const
   {
     if(counts_.empty())
       return 0;
-    const Number count = counts_[0][vertex], number = count / Triangle_addends::corner;
+    const Index count = counts_[0][vertex], number = count / Triangle_addends::corner;
     return count
             == number * Triangle_addends::corner + (number - 2) * Triangle_addends::no_middle + Triangle_addends::kept
            ? number
@@ -202,7 +202,7 @@ public:
   }
 
 private:
-  typedef Indexed_vector<Vertex_index, Number> Counts;
+  typedef Indexed_vector<Vertex_index, Index> Counts;
 
   // For the triangle of a halfedge, and for the vertex opposite of it there. Zero where there is no triangle.
   typedef Indexed_vector<Halfedge_index, std::uint8_t> Apexes;
@@ -214,7 +214,7 @@ private:
   struct Fetched_block
   {
     Triangle_block block;
-    std::array<Number, Triangle_block::capacity> codes; // as triangle_addends has them
+    std::array<Index, Triangle_block::capacity> codes; // as triangle_addends has them
   };
 
   // Returns whether all is right with the triangles.
@@ -242,7 +242,7 @@ private:
         {
           order.prefetch(vertices[k]);
           prefetch(&counts[vertices[k]]);
-          fetched.codes[t] |= static_cast<Number>(complex.kept_halfedge(vertices[k]) == halfedges[k]) << (k + 3);
+          fetched.codes[t] |= static_cast<Index>(complex.kept_halfedge(vertices[k]) == halfedges[k]) << (k + 3);
         }
       }
       add_last();
@@ -260,10 +260,10 @@ private:
     for(std::size_t i = 0; i != block.size; ++i)
     {
       const auto& [a, b, c] = block.triangles[i].vertices;
-      fetched.codes[i] |= static_cast<Number>(order.is_lower(a, b)) | static_cast<Number>(order.is_lower(b, c)) << 1
-                        | static_cast<Number>(order.is_lower(c, a)) << 2;
+      fetched.codes[i] |= static_cast<Index>(order.is_lower(a, b)) | static_cast<Index>(order.is_lower(b, c)) << 1
+                        | static_cast<Index>(order.is_lower(c, a)) << 2;
     }
-    Number* const counts = &all_counts[Vertex_index(0)];
+    Index* const counts = &all_counts[Vertex_index(0)];
     std::uint8_t* const apexes = &all_apexes[Halfedge_index(0)];
     for(std::size_t i = 0; i != block.size; ++i)
     {

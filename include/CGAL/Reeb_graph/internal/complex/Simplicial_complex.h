@@ -28,7 +28,7 @@ namespace CGAL::Reeb_graph::internal {
 struct Triangle_list
 {
   Indexed_vector<Triangle_index, std::array<Vertex_index, 3>> vertices;
-  Indexed_vector<Vertex_index, Number> first_triangles; // by least vertex; and the end
+  Indexed_vector<Vertex_index, Index> first_triangles; // by least vertex; and the end
 
   Index_range<Triangle_index> with_least_vertex(Vertex_index v) const
   {
@@ -45,8 +45,8 @@ Triangle_list list_triangles(std::size_t number_of_vertices, const ForEachTriang
   // The two larger vertices are one number, which is sorted in one comparison.
   const auto for_each_key = [&](const auto& visit) {
     for_each_triangle([&](Vertex_index a, Vertex_index b, Vertex_index c) {
-      const Number low = (std::min)(a, b).number(), high = (std::max)(a, b).number();
-      const Number middle = (std::max)(low, (std::min)(high, c.number()));
+      const Index low = (std::min)(a, b).number(), high = (std::max)(a, b).number();
+      const Index middle = (std::max)(low, (std::min)(high, c.number()));
       visit(Vertex_index((std::min)(low, c.number())), (std::uint64_t(middle) << bits) | (std::max)(high, c.number()));
     });
   };
@@ -56,7 +56,7 @@ Triangle_list list_triangles(std::size_t number_of_vertices, const ForEachTriang
   list.first_triangles.reset(number_of_vertices + 1);
   for(const Vertex_index v : Index_range<Vertex_index>(number_of_vertices))
   {
-    list.first_triangles[v] = static_cast<Number>(list.vertices.size());
+    list.first_triangles[v] = static_cast<Index>(list.vertices.size());
     const auto bucket = keys[v];
     if(bucket.size() > 1)
       std::sort(bucket.begin(), bucket.end());
@@ -64,7 +64,7 @@ Triangle_list list_triangles(std::size_t number_of_vertices, const ForEachTriang
     for(auto key = bucket.begin(); key != end; ++key)
       list.vertices.push_back({v, Vertex_index(*key >> bits), Vertex_index(*key & ((std::uint64_t(1) << bits) - 1))});
   }
-  list.first_triangles.back() = static_cast<Number>(list.vertices.size());
+  list.first_triangles.back() = static_cast<Index>(list.vertices.size());
   return list;
 }
 
@@ -119,10 +119,10 @@ public:
     make_lower_edges();
   }
 
-  Number number_of_vertices() const { return static_cast<Number>(first_edges_.size()) - 1; }
-  Number number_of_edges() const { return static_cast<Number>(higher_ends_.size()); }
-  Number number_of_halfedges() const { return 2 * number_of_edges(); }
-  Number number_of_triangles() const { return static_cast<Number>(vertices_of_triangles_.size()); }
+  Index number_of_vertices() const { return static_cast<Index>(first_edges_.size()) - 1; }
+  Index number_of_edges() const { return static_cast<Index>(higher_ends_.size()); }
+  Index number_of_halfedges() const { return 2 * number_of_edges(); }
+  Index number_of_triangles() const { return static_cast<Index>(vertices_of_triangles_.size()); }
   Index_range<Vertex_index> vertices() const { return Index_range<Vertex_index>(number_of_vertices()); }
   Index_range<Edge_index> edges() const { return Index_range<Edge_index>(number_of_edges()); }
   Index_range<Triangle_index> triangles() const { return Index_range<Triangle_index>(number_of_triangles()); }
@@ -239,10 +239,10 @@ private:
     lower_ends_.reserve(triangles.vertices.size() * 3 / 2 + 16);
     higher_ends_.reserve(lower_ends_.capacity());
     numbers_of_triangles_.reserve(lower_ends_.capacity());
-    Indexed_vector<Vertex_index, Number> edge_to(number_of_vertices(), no_index);
+    Indexed_vector<Vertex_index, Index> edge_to(number_of_vertices(), no_index);
     for(const Vertex_index v : vertices())
     {
-      const Number first = checked_index(2 * higher_ends_.size()) / 2;
+      const Index first = checked_index(2 * higher_ends_.size()) / 2;
       first_edges_[v] = first;
       const auto edge_of_end = [&](Vertex_index end) {
         if(edge_to[end] == no_index || edge_to[end] < first)
@@ -295,7 +295,7 @@ private:
     return Buckets<Edge_index, Triangle_index>(number_of_edges(), for_each_edge_of_triangle);
   }
 
-  Indexed_vector<Vertex_index, Number> first_edges_; // with smaller numbers; and the end
+  Indexed_vector<Vertex_index, Index> first_edges_; // with smaller numbers; and the end
   Indexed_vector<Edge_index, Vertex_index> lower_ends_;
   Indexed_vector<Edge_index, Vertex_index> higher_ends_;
   Indexed_vector<Triangle_index, std::array<Vertex_index, 3>> vertices_of_triangles_;

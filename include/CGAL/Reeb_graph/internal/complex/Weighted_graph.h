@@ -22,23 +22,20 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// A vertex of a graph, one of the numbers from 0 on: for fields, its position in vertices(mesh).
-typedef Number Dense_vertex;
-inline constexpr Dense_vertex no_vertex = no_index;
-
-// The vertices and edges of a surface, with a weight for each edge at each of its ends, in compressed rows. The neighbors
+// The vertices and edges of a surface, numbered from 0 on (for fields by position in vertices(mesh)), with a weight for each
+// edge at each of its ends, in compressed rows. The neighbors
 // of a vertex are sorted.
 class Weighted_graph
 {
 public:
   struct Neighbor
   {
-    Dense_vertex vertex;
+    Index vertex;
     double weight;
   };
   struct Contribution
   {
-    Dense_vertex from, to;
+    Index from, to;
     double weight;
   };
 
@@ -56,18 +53,17 @@ public:
     add_up();
   }
 
-  Dense_vertex number_of_vertices() const { return static_cast<Dense_vertex>(first_.size() - 1); }
+  Index number_of_vertices() const { return static_cast<Index>(first_.size() - 1); }
 
-  Iterator_range<const Neighbor*> neighbors(Dense_vertex v) const
+  Iterator_range<const Neighbor*> neighbors(Index v) const
   {
     return {neighbors_.data() + first_[v], neighbors_.data() + first_[v + 1]};
   }
 
-  double weight(Dense_vertex from, Dense_vertex to) const
+  double weight(Index from, Index to) const
   {
     const auto range = neighbors(from);
-    return std::lower_bound(range.begin(), range.end(), to,
-                            [](const Neighbor& n, Dense_vertex v) { return n.vertex < v; })
+    return std::lower_bound(range.begin(), range.end(), to, [](const Neighbor& n, Index v) { return n.vertex < v; })
       ->weight;
   }
 
@@ -105,7 +101,7 @@ Weighted_graph edge_graph(const Complex& complex)
     {
       if(!complex.is_on_triangle(e))
         continue;
-      const Dense_vertex u = complex.source(even_halfedge(e)).number(), v = complex.target(even_halfedge(e)).number();
+      const Index u = complex.source(even_halfedge(e)).number(), v = complex.target(even_halfedge(e)).number();
       visit(Weighted_graph::Contribution{u, v, 1});
       visit(Weighted_graph::Contribution{v, u, 1});
     }
@@ -116,7 +112,7 @@ Weighted_graph edge_graph(const Complex& complex)
 // vertex the number of its connected component, in the order of their first vertices.
 struct Breadth_first_search
 {
-  std::vector<Dense_vertex> order;
+  std::vector<Index> order;
   std::vector<Index> components;
 
   explicit Breadth_first_search(const Weighted_graph& graph) : components(graph.number_of_vertices(), no_index)
@@ -124,13 +120,13 @@ struct Breadth_first_search
     order.reserve(graph.number_of_vertices());
     Index component = 0;
     std::size_t next = 0;
-    const auto reach = [&](Dense_vertex v) {
+    const auto reach = [&](Index v) {
       if(components[v] != no_index)
         return;
       order.push_back(v);
       components[v] = component;
     };
-    for(Dense_vertex first = 0; first != graph.number_of_vertices(); ++first)
+    for(Index first = 0; first != graph.number_of_vertices(); ++first)
     {
       for(reach(first); next != order.size(); ++next)
         for(const auto& n : graph.neighbors(order[next]))
@@ -157,16 +153,14 @@ public:
   // The order of `part`. `is_in_part` tells its vertices from the other ones, and `is_source` tells which of these
   // belong to the source.
   template <class IsInPart, class IsSource>
-  std::vector<Dense_vertex> operator()(const std::vector<Dense_vertex>& part,
-                                       const IsInPart& is_in_part,
-                                       const IsSource& is_source)
+  std::vector<Index> operator()(const std::vector<Index>& part, const IsInPart& is_in_part, const IsSource& is_source)
   {
     const auto is_sink = [&](const auto& n) { return !is_in_part(n.vertex) && !is_source(n.vertex); };
-    const Dense_vertex root = *std::find_if(part.begin(), part.end(), [&](Dense_vertex v) {
+    const Index root = *std::find_if(part.begin(), part.end(), [&](Index v) {
       const auto neighbors = graph_.neighbors(v);
       return std::any_of(neighbors.begin(), neighbors.end(), is_sink);
     });
-    for(const Dense_vertex v : part) // It may have been in another part before.
+    for(const Index v : part) // It may have been in another part before.
       records_[v].preorder = no_index;
     search(root, is_in_part, is_source);
     return list(root);
@@ -186,11 +180,11 @@ private:
   };
 
   template <class IsInPart, class IsSource>
-  void search(Dense_vertex root, const IsInPart& is_in_part, const IsSource& is_source)
+  void search(Index root, const IsInPart& is_in_part, const IsSource& is_source)
   {
-    preordered_ = {no_vertex, no_vertex};
-    std::vector<Dense_vertex> path;
-    const auto enter = [&](Dense_vertex v, Preorder parent) {
+    preordered_ = {no_index, no_index};
+    std::vector<Index> path;
+    const auto enter = [&](Index v, Preorder parent) {
       const auto preorder = static_cast<Preorder>(preordered_.size());
       records_[v] = {preorder, preorder, parent, 0};
       preordered_.push_back(v);
@@ -199,7 +193,7 @@ private:
     enter(root, sink);
     while(!path.empty())
     {
-      const Dense_vertex v = path.back();
+      const Index v = path.back();
       Record& record = records_[v];
       const auto neighbors = graph_.neighbors(v);
       if(record.next_edge == neighbors.size())
@@ -209,7 +203,7 @@ private:
           records_[path.back()].low = (std::min)(records_[path.back()].low, record.low);
         continue;
       }
-      const Dense_vertex u = (neighbors.begin() + record.next_edge++)->vertex;
+      const Index u = (neighbors.begin() + record.next_edge++)->vertex;
       if(!is_in_part(u))
         record.low = (std::min)(record.low, is_source(u) ? source : sink);
       else if(records_[u].preorder == no_index)
@@ -220,7 +214,7 @@ private:
   }
 
   // Inserts the vertices in preorder into a list from the source to the sink, before or behind their parents.
-  std::vector<Dense_vertex> list(Dense_vertex root)
+  std::vector<Index> list(Index root)
   {
     const std::size_t size = preordered_.size();
     std::vector<Preorder> next(size), previous(size);
@@ -239,7 +233,7 @@ private:
       next[i] = behind;
       previous[behind] = i;
     }
-    std::vector<Dense_vertex> result;
+    std::vector<Index> result;
     result.reserve(size - 2);
     for(Preorder i = next[source]; i != sink; i = next[i])
       result.push_back(preordered_[i]);
@@ -248,7 +242,7 @@ private:
 
   const Weighted_graph& graph_;
   std::vector<Record> records_;
-  std::vector<Dense_vertex> preordered_;
+  std::vector<Index> preordered_;
 };
 
 } // namespace CGAL::Reeb_graph::internal

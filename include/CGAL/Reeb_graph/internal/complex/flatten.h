@@ -112,7 +112,7 @@ private:
 template <class Position, class Descriptor, class DescriptorList>
 auto store_positions(const DescriptorList& descriptors)
 {
-  Descriptor_numbers<Descriptor, Number> numbers(descriptors.size());
+  Descriptor_numbers<Descriptor, Index> numbers(descriptors.size());
   for(const Position position : Index_range<Position>(descriptors.size()))
     numbers.add(descriptors[position]);
   return [numbers](const Descriptor& d) { return Position(get(numbers, d)); };

@@ -61,8 +61,8 @@ public:
   static constexpr bool is_surface = true;
 
   // The first number behind those of the vertices, or of the edges.
-  Number number_of_vertices() const { return static_cast<Number>(first_halfedges_.size()); }
-  Number number_of_edges() const { return complex().number_of_halfedges() / 2; }
+  Index number_of_vertices() const { return static_cast<Index>(first_halfedges_.size()); }
+  Index number_of_edges() const { return complex().number_of_halfedges() / 2; }
   Index_range<Vertex_index> vertices() const { return Index_range<Vertex_index>(number_of_vertices()); }
 
   Vertex_index source(Halfedge_index halfedge) const { return complex().target(opposite_of(halfedge)); }
@@ -89,7 +89,7 @@ public:
 
   // Triangles have numbers below this one, though not all such numbers belong to one. Here they are those of their least
   // halfedges.
-  Number end_of_triangles() const { return complex().number_of_halfedges(); }
+  Index end_of_triangles() const { return complex().number_of_halfedges(); }
 
   // Reads the triangles whose numbers are from `begin` to `end`, which are at most the capacity of a block. Returns
   // whether all is right with them; each of their halfedges is then on no other one.
@@ -237,7 +237,7 @@ public:
       halfedges_(std::move(arrays.halfedges))
   {}
 
-  Number number_of_halfedges() const { return static_cast<Number>(halfedges_.size()); }
+  Index number_of_halfedges() const { return static_cast<Index>(halfedges_.size()); }
   bool has_vertex(Vertex_index) const { return true; }
   bool has_edge(Edge_index) const { return true; }
 
@@ -336,7 +336,7 @@ public:
     checked_index(mesh.num_halfedges());
   }
 
-  Number number_of_halfedges() const { return mesh_->num_halfedges(); }
+  Index number_of_halfedges() const { return mesh_->num_halfedges(); }
   bool has_vertex(Vertex_index v) const { return !mesh_->has_garbage() || !mesh_->is_removed(descriptor(v)); }
   bool has_edge(Edge_index e) const
   {
@@ -354,16 +354,16 @@ public:
   Halfedge_index previous(Halfedge_index h) const { return Halfedge_index(mesh_->prev(descriptor(h))); }
 
   // Hides the other one: triangles have the numbers of faces.
-  Number end_of_triangles() const { return mesh_->num_faces(); }
+  Index end_of_triangles() const { return mesh_->num_faces(); }
 
   // Hides the other one. All is right with a face if all that its halfedges tell agrees. In short loops without
   // branches, so that the processor has many reads before it, and waits for them at once.
   bool read_triangles(std::size_t begin, std::size_t end, Triangle_block& block) const
   {
     const bool has_garbage = mesh_->has_garbage();
-    const Number last = number_of_halfedges() - 1; // Nothing has been checked yet.
+    const Index last = number_of_halfedges() - 1; // Nothing has been checked yet.
     const auto at_most_last = [last](Halfedge_index h) { return h.number() < last ? h : Halfedge_index(last); };
-    Number difference = 0;
+    Index difference = 0;
     const auto compare = [&](auto u, auto v) { difference |= u.number() ^ v.number(); };
     std::size_t size = 0;
     for(const Face_index f : Index_range(Face_index(begin), Face_index(end)))
@@ -379,7 +379,7 @@ public:
     }
     block.size = size;
     int degenerate = 0;
-    Number greatest = 0;
+    Index greatest = 0;
     for(std::size_t i = 0; i != size; ++i)
     {
       auto& [halfedges, vertices] = block.triangles[i];
@@ -462,7 +462,7 @@ class Unchecked_complex
 public:
   explicit Unchecked_complex(Complex complex) : complex_(std::move(complex)) {}
 
-  Number number_of_vertices() const { return complex_.number_of_vertices(); }
+  Index number_of_vertices() const { return complex_.number_of_vertices(); }
   bool has_vertex(Vertex_index number) const { return complex_.has_vertex(number); }
 
   // The complex as far as it goes: only vertices whose fans have been set may be asked about.
@@ -544,7 +544,7 @@ private:
 
   void throw_non_manifold_vertex_error() const
   {
-    Indexed_vector<Vertex_index, Number> unreached(number_of_vertices(), 0);
+    Indexed_vector<Vertex_index, Index> unreached(number_of_vertices(), 0);
     for(const Halfedge_index h : Index_range<Halfedge_index>(complex_.number_of_halfedges()))
     {
       if(complex_.has_edge(edge_of(h)) && complex_.has_triangle(h) && complex_.has_star(complex_.target(h)))

@@ -52,11 +52,11 @@ struct Link_sector
 // Upper and lower link sectors alternate, so it is enough to know how many there are and with which a turn begins.
 struct Link_summary
 {
-  Number number_of_sectors;
+  Index number_of_sectors;
   bool is_first_upper;
 
-  Number number_of_upper_sectors() const { return (number_of_sectors + is_first_upper) / 2; }
-  Number number_of_lower_sectors() const { return number_of_sectors - number_of_upper_sectors(); }
+  Index number_of_upper_sectors() const { return (number_of_sectors + is_first_upper) / 2; }
+  Index number_of_lower_sectors() const { return number_of_sectors - number_of_upper_sectors(); }
   Side first_side() const { return side_of(is_first_upper); }
 };
 
@@ -115,17 +115,17 @@ typedef By_side<std::size_t> Sector_counts;
 class Swept_vertices
 {
 public:
-  Number size() const { return static_cast<Number>(entries_.size()) - 1; }
+  Index size() const { return static_cast<Index>(entries_.size()) - 1; }
   Index_range<Swept_index> indices() const { return Index_range<Swept_index>(size()); }
   Vertex_index vertex(Swept_index critical) const { return entries_[critical].vertex; }
   bool is_on_border(Swept_index critical) const { return entries_[critical].is_on_border; }
 
-  Number number_of_sectors(Swept_index critical, Side side) const
+  Index number_of_sectors(Swept_index critical, Side side) const
   {
     return end_of_sectors(critical, side).number() - first_sector(critical, side).number();
   }
-  Number number_of_lower_sectors(Swept_index critical) const { return number_of_sectors(critical, Side::LOWER); }
-  Number number_of_upper_sectors(Swept_index critical) const { return number_of_sectors(critical, Side::UPPER); }
+  Index number_of_lower_sectors(Swept_index critical) const { return number_of_sectors(critical, Side::LOWER); }
+  Index number_of_upper_sectors(Swept_index critical) const { return number_of_sectors(critical, Side::UPPER); }
 
   // Sectors are in clockwise order. The turn around a vertex begins with an upper sector or with a lower one, then they
   // alternate.
@@ -142,7 +142,7 @@ public:
     return {first_sector(critical, side), end_of_sectors(critical, side)};
   }
 
-  Number total_number_of_sectors(Side side) const { return static_cast<Number>(sectors_[side].size()); }
+  Index total_number_of_sectors(Side side) const { return static_cast<Index>(sectors_[side].size()); }
   const Link_sector& sector(Side side, Sector_index sector) const { return sectors_[side][sector]; }
 
   // Neighbors of vertices of the surface, critical or not.
@@ -287,7 +287,7 @@ typedef Index_of<Cut_tag> Cut_index;
 class Contour_cuts
 {
 public:
-  Contour_cuts(Number number_of_other_nodes, Number number_of_edges)
+  Contour_cuts(Index number_of_other_nodes, Index number_of_edges)
     : number_of_other_nodes_(number_of_other_nodes),
       number_of_edges_(number_of_edges)
   {}
@@ -326,11 +326,11 @@ public:
     ends_of_unregistered_.clear();
   }
 
-  Number size() const { return static_cast<Number>(critical_vertices_.size()); }
+  Index size() const { return static_cast<Index>(critical_vertices_.size()); }
   Index_range<Cut_index> cuts() const { return critical_vertices_.keys(); }
   Cut_index next_cut() const { return critical_vertices_.end_key(); }
 
-  Number number_of_nodes() const { return number_of_other_nodes_ + 2 * size(); }
+  Index number_of_nodes() const { return number_of_other_nodes_ + 2 * size(); }
   Tree_node node_below(Cut_index cut) const { return Tree_node(number_of_other_nodes_ + 2 * cut.number()); }
   Tree_node node_above(Cut_index cut) const { return Tree_node(number_of_other_nodes_ + 2 * cut.number() + 1); }
 
@@ -350,10 +350,10 @@ public:
   }
 
 private:
-  Number place_of_node(Tree_node node) const { return node.number() - number_of_other_nodes_; }
+  Index place_of_node(Tree_node node) const { return node.number() - number_of_other_nodes_; }
 
-  Number number_of_other_nodes_;
-  Number number_of_edges_;
+  Index number_of_other_nodes_;
+  Index number_of_edges_;
   Indexed_vector<Cut_index, Swept_index> critical_vertices_;
   Indexed_vector<Cut_index, Tree_node> sublevel_classes_;
   Plain_vector<Halfedge_index> unregistered_edges_;
@@ -384,7 +384,7 @@ struct Flat_arc
   Node_index lower;
   Node_index upper;
   Chain_segment_index first_segment;
-  Number number_of_segments;
+  Index number_of_segments;
 };
 
 // The Reeb graph by indices: nodes in ascending order, arcs sorted.

@@ -39,7 +39,7 @@ public:
   {
     nodes_.reserve(parents.capacity());
     nodes_.assign(parents.size(), Node{no_index, 0, 0});
-    constexpr Number ahead = 16;
+    constexpr Index ahead = 16;
     for(const Tree_node node : parents.keys())
     {
       const Tree_node later(node.number() + ahead);
@@ -76,10 +76,10 @@ public:
   }
 
   // How many roots the tree has before any node is removed.
-  Number number_of_roots() const { return number_of_roots_; }
+  Index number_of_roots() const { return number_of_roots_; }
 
   Tree_node parent(Tree_node node) const { return nodes_[node].parent; }
-  Number number_of_children(Tree_node node) const { return nodes_[node].number_of_children; }
+  Index number_of_children(Tree_node node) const { return nodes_[node].number_of_children; }
   Tree_node only_child(Tree_node node) const { return Tree_node(nodes_[node].child_names); }
 
   void remove_leaf(Tree_node node)
@@ -103,12 +103,12 @@ private:
   struct Node
   {
     Tree_node parent;
-    Number number_of_children;
-    Number child_names;
+    Index number_of_children;
+    Index child_names;
   };
 
   Indexed_vector<Tree_node, Node> nodes_;
-  Number number_of_roots_ = 0;
+  Index number_of_roots_ = 0;
 };
 
 // Combines a join tree and a split tree of the same nodes to the arcs of the contour tree, leaf by leaf. (H. Carr,
@@ -393,9 +393,9 @@ private:
   template <class ConcurrencyTag>
   Indexed_vector<Tree_node, Ascending_step> find_first_steps(
     const Indexed_vector<Sector_index, Tree_node>& superlevel_classes,
-    Number number_of_nodes) const
+    Index number_of_nodes) const
   {
-    constexpr Number ahead = 24;
+    constexpr Index ahead = 24;
     Indexed_vector<Tree_node, Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
     const auto find = [&](Sector_index begin, Sector_index end) {
       for(const Sector_index i : Index_range(begin, end))

@@ -174,16 +174,16 @@ private:
       const auto key = order_.key(vertex, vertex);
       while(end != keys.size() && order_(keys[end], key))
         ++end;
-      bounds_.push_back(static_cast<Number>(end));
+      bounds_.push_back(static_cast<Index>(end));
     }
-    bounds_.push_back(static_cast<Number>(keys.size()));
+    bounds_.push_back(static_cast<Index>(keys.size()));
   }
 
   const Complex& complex_;
   const Order& order_;
   const Swept_vertices& critical_vertices_;
   Indexed_vector<Query, Vertex_index> vertices_; // in ascending order, when sorted
-  Plain_vector<Number> bounds_; // 0, how many are below each critical vertex in ascending order, the number of all
+  Plain_vector<Index> bounds_; // 0, how many are below each critical vertex in ascending order, the number of all
   By_side<Indexed_vector<Query, Tree_node>> classes_;
   Arc_of_vertex arc_of_vertex_;
 };
@@ -239,8 +239,8 @@ public:
 
 private:
   // Links of vertices: the number behind that of a neighbor, or the class with a bit; 0 where nothing is known.
-  typedef Indexed_vector<Vertex_index, Relaxed_value<Number>> Links;
-  static constexpr Number is_class = Number(1) << 31;
+  typedef Indexed_vector<Vertex_index, Relaxed_value<Index>> Links;
+  static constexpr Index is_class = Index(1) << 31;
 
   // A node of a tree, with the vertex that it is at or, for one of a cut, just below. Its jump leads to an ancestor so far
   // away that to go on by parents and jumps takes a logarithm of the number of steps. (E. Myers, An applicative
@@ -250,7 +250,7 @@ private:
     Vertex_index vertex;
     Tree_node parent;
     Tree_node jump; // the node itself at a root
-    Number depth;   // 1 at a root
+    Index depth;    // 1 at a root
   };
   typedef Indexed_vector<Tree_node, Node> Nodes;
 
@@ -323,7 +323,7 @@ private:
   template <Side side>
   Tree_node find_class(Vertex_index vertex, Plain_vector<Vertex_index>& passed)
   {
-    Number link;
+    Index link;
     for(; (link = links_[side][vertex].get()) < is_class; vertex = Vertex_index(link - 1))
     {
       passed.push_back(vertex);

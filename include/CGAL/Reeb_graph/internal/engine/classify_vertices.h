@@ -60,7 +60,7 @@ public:
     set_neighbor(neighbor);
   }
 
-  Vertex_link closed_link() const { return {{(std::max)(number_, Number(1)), is_first_upper_}, {lower_, higher_}}; }
+  Vertex_link closed_link() const { return {{(std::max)(number_, Index(1)), is_first_upper_}, {lower_, higher_}}; }
   Vertex_link path() const { return {{number_ + 1, is_first_upper_}, {lower_, higher_}}; }
 
 private:
@@ -73,7 +73,7 @@ private:
 
   const Order& order_;
   const Vertex_index vertex_;
-  Number number_ = 0;
+  Index number_ = 0;
   Vertex_index lower_ = no_index;
   Vertex_index higher_ = no_index;
   bool is_first_upper_ = false;
@@ -123,11 +123,11 @@ void find_link_sectors(const Complex& complex,
                        const By_side<Link_sector*>& places)
 {
   Side last_side = summary.first_side();
-  for(Number i = 0; i != summary.number_of_sectors; ++i, last_side = opposite_of(last_side))
+  for(Index i = 0; i != summary.number_of_sectors; ++i, last_side = opposite_of(last_side))
     places[last_side][i / 2] = {vertex, no_index};
 
   last_side = summary.first_side();
-  Number i = 0;
+  Index i = 0;
   complex.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
     const Side side = side_of(order(vertex, neighbor));
     i += side != last_side;
@@ -144,8 +144,8 @@ inline Critical_vertex_counts count_critical_vertices(const Swept_vertices& crit
   Critical_vertex_counts counts;
   for(const Swept_index i : critical_vertices.indices())
   {
-    const Number number_of_lower_sectors = critical_vertices.number_of_lower_sectors(i);
-    const Number number_of_upper_sectors = critical_vertices.number_of_upper_sectors(i);
+    const Index number_of_lower_sectors = critical_vertices.number_of_lower_sectors(i);
+    const Index number_of_upper_sectors = critical_vertices.number_of_upper_sectors(i);
     if(number_of_lower_sectors == 0 && number_of_upper_sectors == 0)
       ++counts.isolated;
     else if(number_of_lower_sectors == 0)
@@ -305,7 +305,7 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
 {
   const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
   const auto find = [&](Vertex_index vertex, Fan_counts& counts) {
-    const Number number_of_corners = regular_vertices.number_of_corners(vertex);
+    const Index number_of_corners = regular_vertices.number_of_corners(vertex);
     if(number_of_corners == 0)
       return set_fan_and_find_link(unchecked, order, vertex, counts);
     unchecked.set_closed_fan(vertex);

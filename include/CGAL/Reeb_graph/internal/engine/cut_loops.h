@@ -195,7 +195,7 @@ private:
   template <class IsChanged>
   void correct_components(Vertex_index vertex, const IsChanged& is_changed)
   {
-    const Number number = critical_numbers_[vertex];
+    const Index number = critical_numbers_[vertex];
     if(number == 0)
       return;
     number_of_steps_ += critical_vertices_.number_of_upper_sectors(Swept_index(number - 1));
@@ -216,9 +216,9 @@ private:
     prefetch(&critical_numbers_[vertex]);
     critical_vertices_.kept_neighbors().prefetch(vertex);
     path_ends_.prefetch(vertex);
-    if(const Number number = critical_numbers_[vertices[i + ahead]]; number != 0)
+    if(const Index number = critical_numbers_[vertices[i + ahead]]; number != 0)
       critical_vertices_.prefetch(Swept_index(number - 1));
-    if(const Number number = critical_numbers_[vertices[i + near_ahead]]; number != 0)
+    if(const Index number = critical_numbers_[vertices[i + near_ahead]]; number != 0)
       critical_vertices_.prefetch_sectors(Swept_index(number - 1), Side::UPPER);
   }
 
@@ -245,8 +245,8 @@ private:
   const Complex& complex_;
   Contour_cuts cuts_;
   Indexed_vector<Cut_index, Component_index> components_of_cuts_;
-  Indexed_vector<Vertex_index, Number> critical_numbers_; // from 1 on; 0 if it is not critical
-  bool are_paths_walked_late_ = true;                     // each when its vertex is merged
+  Indexed_vector<Vertex_index, Index> critical_numbers_; // from 1 on; 0 if it is not critical
+  bool are_paths_walked_late_ = true;                    // each when its vertex is merged
   std::size_t number_of_corrections_ = 0;
   std::size_t number_of_steps_ = 0; // of corrections
 };
@@ -361,12 +361,12 @@ private:
   }
 
   // The number of distinct classes at a vertex, at once for simple saddles, as nearly all are.
-  Number count_classes(Swept_index critical, Side side)
+  Index count_classes(Swept_index critical, Side side)
   {
     if(critical_vertices_.number_of_sectors(critical, side) == 2)
       return tree(side).is_class_shared[critical] ? 1 : 2;
     sort_classes(critical, side);
-    return static_cast<Number>(std::unique(classes_.begin(), classes_.end()) - classes_.begin());
+    return static_cast<Index>(std::unique(classes_.begin(), classes_.end()) - classes_.begin());
   }
 
   // Sorts the lower contours of a vertex by their classes. Where contours have not been found before, each sector may
@@ -398,15 +398,15 @@ private:
   // Joins the two lower sectors beside each upper one that is alone in a component without border, as the closed
   // contour just above that sector is that component's only one here, and one contour just below runs along it. No two
   // are joined twice: inside of the surface, some upper sector is in a component with border.
-  Number count_joined_lower_sectors(Swept_index critical, bool is_on_border)
+  Index count_joined_lower_sectors(Swept_index critical, bool is_on_border)
   {
     sort_classes(critical, Side::UPPER);
-    const Number number_of_lower_sectors = critical_vertices_.number_of_lower_sectors(critical);
-    const Number number_of_upper_sectors = critical_vertices_.number_of_upper_sectors(critical);
+    const Index number_of_lower_sectors = critical_vertices_.number_of_lower_sectors(critical);
+    const Index number_of_upper_sectors = critical_vertices_.number_of_upper_sectors(critical);
     const Sector_index first = critical_vertices_.first_sector(critical, Side::UPPER);
     const bool is_first_upper = critical_vertices_.is_first_upper(critical);
-    Number result = number_of_lower_sectors;
-    for(Number i = 0; i != number_of_upper_sectors; ++i)
+    Index result = number_of_lower_sectors;
+    for(Index i = 0; i != number_of_upper_sectors; ++i)
     {
       const Tree_node upper_class = split_tree_.classes[Sector_index(first.number() + i)];
       const auto range = std::equal_range(classes_.begin(), classes_.end(), upper_class);
@@ -458,9 +458,9 @@ private:
   }
 
   // How many contours can be just below and just above the vertex, by its fans.
-  Number largest_number_of_contours(Vertex_index vertex)
+  Index largest_number_of_contours(Vertex_index vertex)
   {
-    Number result = 0;
+    Index result = 0;
     complex_.for_each_edge_around(vertex, [&](Vertex_index, Halfedge_index halfedge) {
       if(last_vertices_at_edges_[edge_of(halfedge)] != vertex.number() + 1)
         result += count_changes_around(vertex, edge_of(halfedge)) / 2 + 1;
@@ -469,13 +469,13 @@ private:
   }
 
   // How often lower and higher neighbors change in the fan of an edge at the vertex.
-  Number count_changes_around(Vertex_index vertex, Edge_index first)
+  Index count_changes_around(Vertex_index vertex, Edge_index first)
   {
     const auto is_upper = [&](Edge_index edge) {
       const Vertex_index low = complex_.lower_end(edge);
       return order_(vertex, low == vertex ? complex_.higher_end(edge) : low);
     };
-    Number changes = 0;
+    Index changes = 0;
     Edge_index edge = first;
     Triangle_index triangle = *complex_.triangles_of(first).begin();
     do
@@ -498,7 +498,7 @@ private:
   struct Lower_contour
   {
     Tree_node sublevel_class;
-    Number name;
+    Index name;
     Sector_index sector;
   };
 
@@ -513,10 +513,10 @@ private:
 
   // Of a complex that may be no surface:
   std::optional<std::conditional_t<Complex::is_surface, std::tuple<>, Components_of_complex>>
-    components_;                                              // if there are many vertices to ask about
-  Indexed_vector<Edge_index, Number> last_vertices_at_edges_; // whose fans have been turned around; from 1 on
-  Indexed_vector<Sector_index, Number> contours_; // by lower sector; no_index where none has been looked for
-  std::size_t number_of_lost_steps_ = 0;          // of searches that have closed no loop
+    components_;                                             // if there are many vertices to ask about
+  Indexed_vector<Edge_index, Index> last_vertices_at_edges_; // whose fans have been turned around; from 1 on
+  Indexed_vector<Sector_index, Index> contours_;             // by lower sector; no_index where none has been looked for
+  std::size_t number_of_lost_steps_ = 0;                     // of searches that have closed no loop
   bool are_all_found_ = false;
 };
 

@@ -104,7 +104,7 @@ private:
 
   Swept_arc_index contour_above(Ascending_step step) const
   {
-    for(Number steps = 0; contour_at(step.edge) == no_index; ++steps)
+    for(Index steps = 0; contour_at(step.edge) == no_index; ++steps)
     {
       const Contour_index contour = slab_.contour_at_step(Side::UPPER, step.target, [&] { return step.edge; });
       if(contour != no_index)
@@ -171,7 +171,7 @@ Swept_arcs find_and_glue_arcs(const Complex& complex,
                               const Order& order,
                               const Swept_vertices& critical_vertices,
                               ChosenMethod method,
-                              Number number_of_slabs,
+                              Index number_of_slabs,
                               const Report& report)
 {
   const Slicing<Complex> slicing(ConcurrencyTag(), complex, order, critical_vertices, number_of_slabs);
@@ -196,7 +196,7 @@ Swept_arcs find_arcs(const Complex& complex,
 {
   if constexpr(!std::is_same_v<ChosenNumberOfSlabs, Default_number_of_slabs>)
   {
-    const Number number_of_slabs(std::min<std::size_t>(chosen_number_of_slabs, critical_vertices.size()));
+    const Index number_of_slabs(std::min<std::size_t>(chosen_number_of_slabs, critical_vertices.size()));
     if(number_of_slabs > 1)
       return find_and_glue_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, report);
   }

@@ -128,8 +128,8 @@ public:
   {
     Plain_vector<Vertex_index> passed;
     constexpr Side last_side = opposite_of(side);
-    const Number size = slab_.number_of_contours(last_side);
-    for(Number i = 0; i != size; ++i)
+    const Index size = slab_.number_of_contours(last_side);
+    for(Index i = 0; i != size; ++i)
     {
       const Contour_index contour(side == Side::UPPER ? size - 1 - i : i);
       const Component_index end = path_ends_(slab_.step_from_contour(last_side, contour), end_at_level(), passed);
@@ -236,7 +236,7 @@ private:
     components_.set_top(component, top);
   }
 
-  Number number_of_extrema_;
+  Index number_of_extrema_;
   Merging_components<Tree_node> components_;
   Plain_vector<Component_index> merged_components_;
   Merge_tree tree_;

@@ -27,7 +27,7 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-inline Node_kind node_kind(Number in_degree, Number out_degree)
+inline Node_kind node_kind(Index in_degree, Index out_degree)
 {
   if(in_degree == 0)
     return out_degree == 0 ? Node_kind::ISOLATED : Node_kind::MINIMUM;
@@ -141,12 +141,12 @@ private:
   // that there is to count.
   void make_nodes()
   {
-    const Number size = critical_vertices_.size();
+    const Index size = critical_vertices_.size();
     graph_.node_of_critical.reset(size, no_index);
     Indexed_vector<Swept_index, Node_index>& node_of_group = graph_.node_of_critical;
     graph_.nodes.reserve(size);
     begins_of_arcs_.reserve(size + 1);
-    Number number_of_arcs = 0;
+    Index number_of_arcs = 0;
     constexpr std::size_t ahead = 16;
     const Plain_vector<Swept_index>& ascending = critical_vertices_.ascending();
     for(std::size_t place = 0; place != size; ++place)
@@ -329,8 +329,8 @@ private:
 
   struct Degrees
   {
-    Number in;
-    Number out;
+    Index in;
+    Index out;
     Swept_arc_index last_out_arc; // the only one of a group that is no node
   };
 
@@ -341,7 +341,7 @@ private:
   const Tie_groups<Order> groups_;
   const bool are_degree_two_nodes_kept_;
   Indexed_vector<Swept_index, Degrees> degrees_;         // by group
-  Indexed_vector<Swept_arc_index, Number> ranks_;        // how many arcs before leave the same group
+  Indexed_vector<Swept_arc_index, Index> ranks_;         // how many arcs before leave the same group
   Indexed_vector<Node_index, Arc_index> begins_of_arcs_; // that leave a node; and the end of the last ones
   Indexed_vector<Swept_index, Chain_segment_index> first_segment_of_group_;   // that of the arc that passes the group
   Indexed_vector<Swept_arc_index, Chain_segment_index> first_segment_of_arc_; // that of the arc that it becomes part of

@@ -32,7 +32,7 @@ typedef Index_of<Contour_tag> Contour_index;
 class Bounding_level
 {
 public:
-  explicit Bounding_level(Number number_of_edges) : crossed_edges_(number_of_edges) {}
+  explicit Bounding_level(Index number_of_edges) : crossed_edges_(number_of_edges) {}
 
   void add_crossed_edge(Edge_index edge) { crossed_edges_.add(edge); }
 
@@ -56,7 +56,7 @@ public:
     });
   }
 
-  Number number_of_contours() const { return static_cast<Number>(first_edges_.size()); }
+  Index number_of_contours() const { return static_cast<Index>(first_edges_.size()); }
   Edge_index first_edge(Contour_index contour) const { return first_edges_[contour]; }
   bool is_border_reached(Contour_index contour) const { return is_border_reached_[contour]; }
 
@@ -117,10 +117,10 @@ public:
   }
 
   // The contours of the lower or of the upper level.
-  Number number_of_contours(Side side) const { return levels_[side] ? levels_[side]->number_of_contours() : 0; }
+  Index number_of_contours(Side side) const { return levels_[side] ? levels_[side]->number_of_contours() : 0; }
   Index_range<Contour_index> contours(Side side) const { return Index_range<Contour_index>(number_of_contours(side)); }
 
-  Number number_of_nodes() const
+  Index number_of_nodes() const
   {
     return critical_vertices_->size() + number_of_contours(Side::LOWER) + number_of_contours(Side::UPPER);
   }
@@ -160,7 +160,7 @@ public:
   }
 
 private:
-  Number first_contour_node(Side side) const
+  Index first_contour_node(Side side) const
   {
     return critical_vertices_->size() + (side == Side::UPPER ? number_of_contours(Side::LOWER) : 0);
   }
@@ -189,7 +189,7 @@ public:
           const Complex& complex,
           const Order& order,
           const Swept_vertices& critical_vertices,
-          Number number_of_slabs)
+          Index number_of_slabs)
     : complex_(complex),
       critical_vertices_(critical_vertices)
   {
@@ -197,7 +197,7 @@ public:
     const std::size_t number_of_edges = complex.number_of_edges(),
                       largest_size_of_levels = 8 * number_of_edges + (std::size_t(1) << 20),
                       most_slabs = largest_size_of_levels / (number_of_edges / 16 + 1) + 1;
-    number_of_slabs = static_cast<Number>((std::min)(std::size_t(number_of_slabs), most_slabs));
+    number_of_slabs = static_cast<Index>((std::min)(std::size_t(number_of_slabs), most_slabs));
     find_slabs_of_vertices<ConcurrencyTag>(order, number_of_slabs);
     while(number_of_slabs > 2 && size_of_levels<ConcurrencyTag>() > largest_size_of_levels)
     {
@@ -215,7 +215,7 @@ public:
 
   const Complex& complex() const { return complex_; }
 
-  Number number_of_slabs() const { return static_cast<Number>(parts_.size()); }
+  Index number_of_slabs() const { return static_cast<Index>(parts_.size()); }
 
   Slab<Complex> slab(Slab_index index) const
   {
@@ -241,7 +241,7 @@ private:
   std::size_t first_of_slab(std::size_t slab) const { return slab * critical_vertices_.size() / parts_.size(); }
 
   template <class ConcurrencyTag, class Order>
-  void find_slabs_of_vertices(const Order& order, Number number_of_slabs)
+  void find_slabs_of_vertices(const Order& order, Index number_of_slabs)
   {
     parts_.resize(number_of_slabs);
     Plain_vector<Vertex_index> level_vertices;
@@ -339,10 +339,10 @@ private:
 template <class Complex>
 Swept_arcs glue_slabs(const Slicing<Complex>& slicing,
                       const Indexed_vector<Slab_index, Swept_arcs>& arcs_of_slabs,
-                      Number number_of_critical_vertices)
+                      Index number_of_critical_vertices)
 {
   // The surface has the contours of all levels as nodes, behind its critical vertices.
-  Plain_vector<Number> first_contours = {number_of_critical_vertices}; // by level
+  Plain_vector<Index> first_contours = {number_of_critical_vertices}; // by level
   for(const Bounding_level& level : slicing.levels())
     first_contours.push_back(checked_index(std::size_t(first_contours.back()) + level.number_of_contours()));
   const auto is_contour = [&](Tree_node node) { return node.number() >= number_of_critical_vertices; };

@@ -57,7 +57,7 @@ public:
       join_edges(triangle);
   }
 
-  By_side<Number> numbers_of_sectors(Vertex_index vertex) const { return numbers_of_sectors_[vertex]; }
+  By_side<Index> numbers_of_sectors(Vertex_index vertex) const { return numbers_of_sectors_[vertex]; }
 
   // A lower and a higher neighbor.
   Monotone_neighbors neighbors(Vertex_index vertex) const
@@ -77,12 +77,12 @@ public:
       const Side side = side_of(order_(vertex, neighbor));
       const Edge_index root = sets_[side].find(edge_of(halfedge));
       // A sector found there may be left from another vertex.
-      const Number sector = sector_at_root_[root];
+      const Index sector = sector_at_root_[root];
       if(sector < roots_[side].size() && roots_[side][sector] == root)
         return add_to_sector(places[side][sector], order_, side, neighbor, halfedge);
       if(roots_[side].size() == numbers_of_sectors_[vertex][side])
         complex_.throw_contradiction_near(vertex);
-      sector_at_root_[root] = static_cast<Number>(roots_[side].size());
+      sector_at_root_[root] = static_cast<Index>(roots_[side].size());
       places[side][roots_[side].size()] = {neighbor, halfedge};
       roots_[side].push_back(root);
     });
@@ -120,9 +120,9 @@ private:
   const Simplicial_complex& complex_;
   const Order& order_;
   By_side<Disjoint_sets<Edge_index>> sets_; // by their upper, and by their lower end
-  Indexed_vector<Vertex_index, By_side<Number>> numbers_of_sectors_;
-  Indexed_vector<Edge_index, Number> sector_at_root_; // of the vertex of the last call
-  By_side<Plain_vector<Edge_index>> roots_;           // by sector of that vertex
+  Indexed_vector<Vertex_index, By_side<Index>> numbers_of_sectors_;
+  Indexed_vector<Edge_index, Index> sector_at_root_; // of the vertex of the last call
+  By_side<Plain_vector<Edge_index>> roots_;          // by sector of that vertex
 };
 
 // Finds the wanted vertices of any complex; `is_wanted` gets the vertex, and its numbers of lower and upper sectors.
@@ -143,7 +143,7 @@ Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
     const std::size_t number_of_earlier = wanted.size();
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
-      const By_side<Number> numbers = forests.numbers_of_sectors(v);
+      const By_side<Index> numbers = forests.numbers_of_sectors(v);
       if(!is_wanted(v, numbers))
         continue;
       wanted.push_back(v);
@@ -173,7 +173,7 @@ Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
   return result;
 }
 
-inline bool has_critical_numbers_of_sectors(const By_side<Number>& numbers_of_sectors)
+inline bool has_critical_numbers_of_sectors(const By_side<Index>& numbers_of_sectors)
 {
   return numbers_of_sectors[Side::LOWER] != 1 || numbers_of_sectors[Side::UPPER] != 1;
 }
@@ -181,7 +181,7 @@ inline bool has_critical_numbers_of_sectors(const By_side<Number>& numbers_of_se
 template <class ConcurrencyTag, class Order>
 Swept_vertices classify_vertices(const Simplicial_complex& complex, const Order& order)
 {
-  return find_vertices_of_complex<ConcurrencyTag>(complex, order, [](Vertex_index, const By_side<Number>& numbers) {
+  return find_vertices_of_complex<ConcurrencyTag>(complex, order, [](Vertex_index, const By_side<Index>& numbers) {
     return has_critical_numbers_of_sectors(numbers);
   });
 }
@@ -231,7 +231,7 @@ void for_each_crossed_edge_beside(const Simplicial_complex& complex,
 template <class IsBelow, class Visit>
 void trace_contour(const Simplicial_complex& complex, Halfedge_index start, const IsBelow& is_below, const Visit& visit)
 {
-  std::unordered_set<Number> found = {edge_of(start).number()};
+  std::unordered_set<Index> found = {edge_of(start).number()};
   Plain_vector<Edge_index> pending = {edge_of(start)};
   visit(start);
   while(!pending.empty())
@@ -361,7 +361,7 @@ public:
   template <class IsBelow>
   void begin(const Plain_vector<Halfedge_index>& starts, const IsBelow& is_below)
   {
-    first_search_ += static_cast<Number>(pending_.size());
+    first_search_ += static_cast<Index>(pending_.size());
     pending_.assign(starts.size(), {});
     for(std::size_t i = 0; i != starts.size(); ++i)
       reach(i, edge_of(starts[i]), is_below);
@@ -389,7 +389,7 @@ private:
   struct Pending_edge
   {
     Edge_index edge;
-    Number number_of_triangles;
+    Index number_of_triangles;
   };
 
   // An edge belongs to a contour now. If it does already, and to another one, these two are one.
@@ -398,7 +398,7 @@ private:
   {
     if(searches_[edge] < first_search_)
     {
-      searches_[edge] = first_search_ + static_cast<Number>(i);
+      searches_[edge] = first_search_ + static_cast<Index>(i);
       const Halfedge_index even = even_halfedge(edge);
       crossed_edges_[i].push_back(is_below(complex_.source(even)) ? even : opposite_of(even));
       pending_[i].push_back({edge, 0});
@@ -420,8 +420,8 @@ private:
   }
 
   const Simplicial_complex& complex_;
-  Indexed_vector<Edge_index, Number> searches_; // the number of the start from which the edge has been found
-  Number first_search_ = 1;
+  Indexed_vector<Edge_index, Index> searches_; // the number of the start from which the edge has been found
+  Index first_search_ = 1;
   std::vector<Plain_vector<Pending_edge>> pending_;
 };
 
@@ -432,7 +432,7 @@ typedef Index_of<Graph_node_tag> Graph_node;
 struct Timed_link
 {
   Graph_node a, b;
-  Number begin, end;
+  Index begin, end;
 };
 
 // Finds which of some nodes are connected in a graph that changes, at several times that are known beforehand, by
@@ -448,15 +448,15 @@ class Offline_connectivity
 {
 public:
   // At time t, the nodes in question are those from first_questions[t] to first_questions[t + 1].
-  Offline_connectivity(Plain_vector<Graph_node> questions, const Plain_vector<Number>& first_questions)
+  Offline_connectivity(Plain_vector<Graph_node> questions, const Plain_vector<Index>& first_questions)
     : first_questions_(first_questions),
       nodes_(std::move(questions))
   {}
 
   // Names the components of the nodes in question: two of one time have the same name if they are connected then.
-  Plain_vector<Graph_node> operator()(Number number_of_nodes, const Plain_vector<Timed_link>& links)
+  Plain_vector<Graph_node> operator()(Index number_of_nodes, const Plain_vector<Timed_link>& links)
   {
-    divide(0, static_cast<Number>(first_questions_.size()) - 1, links, number_of_nodes);
+    divide(0, static_cast<Index>(first_questions_.size()) - 1, links, number_of_nodes);
     return std::move(nodes_);
   }
 
@@ -466,25 +466,25 @@ public:
 private:
   // Answers the questions of the times from `begin` to `end`. Each link that is kept begins or ends in between; where
   // none is left, nothing changes, and connected nodes have become one.
-  void divide(Number begin, Number end, const Plain_vector<Timed_link>& links, Number number_of_nodes)
+  void divide(Index begin, Index end, const Plain_vector<Timed_link>& links, Index number_of_nodes)
   {
     Plain_vector<Timed_link> kept;
-    const Number number_of_kept_nodes = contract(begin, end, links, number_of_nodes, kept);
+    const Index number_of_kept_nodes = contract(begin, end, links, number_of_nodes, kept);
     if(kept.empty())
       return;
     number_of_steps_ += kept.size();
-    const Number middle = find_middle(begin, end, kept);
+    const Index middle = find_middle(begin, end, kept);
     divide(begin, middle, kept, number_of_kept_nodes);
     divide(middle, end, kept, number_of_kept_nodes);
   }
 
   // Contracts the links that last all through an interval of the times, and keeps the other ones that are there, with
   // new names of their nodes, which the nodes in question get, too. Returns the number of names.
-  Number contract(Number begin,
-                  Number end,
-                  const Plain_vector<Timed_link>& links,
-                  Number number_of_nodes,
-                  Plain_vector<Timed_link>& kept)
+  Index contract(Index begin,
+                 Index end,
+                 const Plain_vector<Timed_link>& links,
+                 Index number_of_nodes,
+                 Plain_vector<Timed_link>& kept)
   {
     Disjoint_sets<Graph_node> sets(number_of_nodes);
     kept.reserve(links.size());
@@ -496,7 +496,7 @@ private:
         kept.push_back(link);
     }
     Indexed_vector<Graph_node, Graph_node> names(number_of_nodes, no_index); // by root
-    Number number_of_names = 0;
+    Index number_of_names = 0;
     const auto name = [&](Graph_node root) {
       if(names[root] == no_index)
         names[root] = Graph_node(number_of_names++);
@@ -510,17 +510,17 @@ private:
         kept[number_of_kept++] = {name(a), name(b), link.begin, link.end};
     }
     kept.resize(number_of_kept);
-    for(Number i = first_questions_[begin]; i != first_questions_[end]; ++i)
+    for(Index i = first_questions_[begin]; i != first_questions_[end]; ++i)
       nodes_[i] = name(sets.find(nodes_[i]));
     return number_of_names;
   }
 
   // The time up to which about half of the beginnings and ends are, neither the first nor the last one.
-  static Number find_middle(Number begin, Number end, const Plain_vector<Timed_link>& links)
+  static Index find_middle(Index begin, Index end, const Plain_vector<Timed_link>& links)
   {
-    Plain_vector<Number> counts(end - begin, 0);
+    Plain_vector<Index> counts(end - begin, 0);
     std::size_t total = 0;
-    const auto count = [&](Number time) {
+    const auto count = [&](Index time) {
       if(time <= begin || time >= end)
         return;
       ++counts[time - begin];
@@ -532,13 +532,13 @@ private:
       count(link.end);
     }
     std::size_t sum = 0;
-    Number middle = begin;
+    Index middle = begin;
     while(2 * (sum += counts[middle - begin]) < total)
       ++middle;
     return middle;
   }
 
-  const Plain_vector<Number>& first_questions_;
+  const Plain_vector<Index>& first_questions_;
   Plain_vector<Graph_node> nodes_; // in question, by the names of the interval that is looked at
   std::size_t number_of_steps_ = 0;
 };
@@ -546,13 +546,13 @@ private:
 // The links of the level sets, by the times of the vertices: an edge crosses the levels from the time of its lower end
 // to that of its higher end. A triangle whose edges cross none of the levels has no link.
 inline Plain_vector<Timed_link> find_links(const Simplicial_complex& complex,
-                                           const Indexed_vector<Vertex_index, Number>& times)
+                                           const Indexed_vector<Vertex_index, Index>& times)
 {
   Plain_vector<Timed_link> links;
   for(const Triangle_index triangle : complex.triangles())
   {
     const std::array<Vertex_index, 3>& v = complex.vertices_of(triangle);
-    const std::array<Number, 3> time = {times[v[0]], times[v[1]], times[v[2]]};
+    const std::array<Index, 3> time = {times[v[0]], times[v[1]], times[v[2]]};
     if(time[0] == time[1] && time[1] == time[2])
       continue;
     std::array<std::size_t, 3> places = {0, 1, 2};
@@ -561,7 +561,7 @@ inline Plain_vector<Timed_link> find_links(const Simplicial_complex& complex,
     const auto edge_opposite = [&](std::size_t i) {
       return Graph_node(complex.edges_of(triangle)[2 - places[i]].number());
     };
-    const Number low = time[places[0]], middle = time[places[1]], high = time[places[2]];
+    const Index low = time[places[0]], middle = time[places[1]], high = time[places[2]];
     if(low != middle)
       links.push_back({edge_opposite(1), edge_opposite(2), low, middle});
     if(middle != high)
@@ -584,27 +584,27 @@ std::size_t find_contours_of_sectors(const Simplicial_complex& complex,
                                      const Swept_vertices& critical_vertices,
                                      const Plain_vector<Swept_index>& vertices,
                                      const IsLeftOut& is_left_out,
-                                     Indexed_vector<Sector_index, Number>& contours)
+                                     Indexed_vector<Sector_index, Index>& contours)
 {
   if(vertices.empty())
     return 0;
   // The time of a vertex is how many of the vertices in question are not higher. What is left out stays at time 0.
-  Indexed_vector<Vertex_index, Number> times(complex.number_of_vertices(), 0);
+  Indexed_vector<Vertex_index, Index> times(complex.number_of_vertices(), 0);
   for(const Vertex_index v : complex.vertices())
   {
     if(is_left_out(v))
       continue;
     const auto is_not_higher = [&](Swept_index i) { return !order(v, critical_vertices.vertex(i)); };
     times[v] =
-      static_cast<Number>(std::partition_point(vertices.begin(), vertices.end(), is_not_higher) - vertices.begin());
+      static_cast<Index>(std::partition_point(vertices.begin(), vertices.end(), is_not_higher) - vertices.begin());
   }
   Plain_vector<Graph_node> questions;
-  Plain_vector<Number> first_questions = {0};
+  Plain_vector<Index> first_questions = {0};
   for(const Swept_index i : vertices)
   {
     for(const Sector_index sector : critical_vertices.sectors(i, Side::LOWER))
       questions.push_back(Graph_node(edge_of(critical_vertices.sector(Side::LOWER, sector).edge).number()));
-    first_questions.push_back(static_cast<Number>(questions.size()));
+    first_questions.push_back(static_cast<Index>(questions.size()));
   }
   Offline_connectivity connectivity(std::move(questions), first_questions);
   const Plain_vector<Graph_node> components = connectivity(complex.number_of_edges(), find_links(complex, times));

@@ -157,7 +157,7 @@ private:
   const Complex* complex_;
   const Order* order_;
   const Kept_neighbors* kept_neighbors_;
-  Indexed_vector<Vertex_index, Relaxed_value<Number>> ends_; // the number behind that of the end, so that 0 is no_index
+  Indexed_vector<Vertex_index, Relaxed_value<Index>> ends_; // the number behind that of the end, so that 0 is no_index
 };
 
 // Walks along a contour, from the edge of the halfedge `start` into its triangle. At the border it goes back to the

@@ -44,7 +44,7 @@ public:
   template <class Points, class CellRange>
   Cell_list(std::size_t number_of_vertices, const Points&, const CellRange& cells)
     : cells_of_vertices_(number_of_vertices, [&](const auto& visit) {
-        Number number = 0;
+        Index number = 0;
         for(const auto& cell : cells)
         {
           for(const auto vertex : cell)
@@ -57,7 +57,7 @@ public:
   auto at_vertex(Vertex_index vertex) const { return cells_of_vertices_[vertex]; }
 
 private:
-  Buckets<Vertex_index, Number> cells_of_vertices_;
+  Buckets<Vertex_index, Index> cells_of_vertices_;
 };
 
 // The orientation of tetrahedra, which points of a three-dimensional kernel have.
@@ -112,11 +112,11 @@ private:
 
   void replace_repeated(std::size_t number_of_vertices)
   {
-    std::vector<std::pair<Tetrahedron, Number>> sorted;
+    std::vector<std::pair<Tetrahedron, Index>> sorted;
     for(const Vertex_index least : Index_range<Vertex_index>(number_of_vertices))
     {
       sorted.clear();
-      for(const Number number : at_vertex(least))
+      for(const Index number : at_vertex(least))
       {
         Tetrahedron vertices = tetrahedra_[number];
         std::sort(vertices.begin(), vertices.end());

@@ -40,7 +40,7 @@ namespace CGAL::Reeb_graph::internal {
 // triangle.
 struct Level_set_component
 {
-  typedef std::array<Number, 2> Line; // the numbers of two points
+  typedef std::array<Index, 2> Line; // the numbers of two points
 
   std::vector<Edge_index> edges; // by the numbers of their points
   std::vector<Line> lines;
@@ -53,19 +53,19 @@ Level_set_component find_level_set_component(const Simplicial_complex& complex,
                                              const IsBelow& is_below)
 {
   Level_set_component component;
-  boost::unordered_map<Number, Number> point_of_edge;
+  boost::unordered_map<Index, Index> point_of_edge;
   const auto find_point = [&](Edge_index edge) {
-    const auto inserted = point_of_edge.emplace(edge.number(), static_cast<Number>(component.edges.size()));
+    const auto inserted = point_of_edge.emplace(edge.number(), static_cast<Index>(component.edges.size()));
     if(inserted.second)
       component.edges.push_back(edge);
     return inserted.first->second;
   };
   find_point(start);
-  for(Number point = 0; point != component.edges.size(); ++point)
+  for(Index point = 0; point != component.edges.size(); ++point)
   {
     const Edge_index edge = component.edges[point];
     for_each_crossed_edge_beside(complex, edge, is_below, [&](Edge_index beside, Triangle_index) {
-      const Number other_point = find_point(beside);
+      const Index other_point = find_point(beside);
       if(point < other_point) // so that each line comes once
         component.lines.push_back({point, other_point});
     });
@@ -86,7 +86,7 @@ inline void find_polylines(const Level_set_component& component,
   const std::vector<Level_set_component::Line>& lines = component.lines;
   const Buckets<Point_index, std::size_t> lines_of_points(component.edges.size(), [&](const auto& visit) {
     for(std::size_t line = 0; line != lines.size(); ++line)
-      for(const Number point : lines[line])
+      for(const Index point : lines[line])
         visit(Point_index(point), line);
   });
   const auto lines_at = [&](std::size_t point) { return lines_of_points[Point_index(point)]; };
@@ -261,7 +261,7 @@ public:
         lower_vertices_in_order.push_back(Vertex_index(contour.edges[point].first));
     }
     for(const Vertex_index vertex : lower_vertices_in_order)
-      for(const Number number : this->cells().at_vertex(vertex))
+      for(const Index number : this->cells().at_vertex(vertex))
       {
         Tetrahedron tetrahedron = this->cells()[number];
         const std::size_t number_of_lower = move_lower_to_front(tetrahedron, level.is_below);

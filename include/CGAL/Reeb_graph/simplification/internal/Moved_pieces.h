@@ -57,7 +57,7 @@ public:
   {
     std::vector<Scalar> moved = values_;
     Index number = 0;
-    for(Dense_vertex v = 0; v != graph_.number_of_vertices(); ++v)
+    for(Index v = 0; v != graph_.number_of_vertices(); ++v)
     {
       if(saddles_[v] == no_index || numbers_[v] != no_index)
         continue;
@@ -65,8 +65,8 @@ public:
       if(!piece.has_source || !piece.has_sink)
         continue;
       const auto order = st_numbering_(
-        piece.vertices, [&](Dense_vertex u) { return numbers_[u] == number - 1; },
-        [&](Dense_vertex u) { return is_source(u, piece); });
+        piece.vertices, [&](Index u) { return numbers_[u] == number - 1; },
+        [&](Index u) { return is_source(u, piece); });
       put_values(order, choose_values(piece), moved);
     }
     return moved;
@@ -75,27 +75,24 @@ public:
 private:
   struct Piece
   {
-    std::vector<Dense_vertex> vertices;
-    Dense_vertex saddle = 0;
+    std::vector<Index> vertices;
+    Index saddle = 0;
     bool is_above = false;     // whether it is moved to just above the saddle
     bool has_source, has_sink; // among the vertices around it
     Scalar highest_source, lowest_sink;
   };
 
-  bool is_lower(Dense_vertex u, Dense_vertex v) const
-  {
-    return std::make_pair(values_[u], u) < std::make_pair(values_[v], v);
-  }
+  bool is_lower(Index u, Index v) const { return std::make_pair(values_[u], u) < std::make_pair(values_[v], v); }
 
   // Where a vertex around a piece is when all pieces have been moved: at itself, or next to its saddle.
-  Dense_vertex place(Dense_vertex u) const { return saddles_[u] == no_index ? u : saddles_[u]; }
+  Index place(Index u) const { return saddles_[u] == no_index ? u : saddles_[u]; }
 
-  bool is_source(Dense_vertex u, const Piece& piece) const
+  bool is_source(Index u, const Piece& piece) const
   {
     return place(u) == piece.saddle ? piece.is_above : is_lower(place(u), piece.saddle);
   }
 
-  Piece collect_piece(Dense_vertex first, Index number)
+  Piece collect_piece(Index first, Index number)
   {
     Piece piece;
     piece.saddle = saddles_[first];
@@ -103,7 +100,7 @@ private:
     numbers_[first] = number;
     for(std::size_t i = 0; i != piece.vertices.size(); ++i)
     {
-      const Dense_vertex v = piece.vertices[i];
+      const Index v = piece.vertices[i];
       piece.is_above = piece.is_above || is_lower(v, piece.saddle);
       for(const auto& neighbor : graph_.neighbors(v))
         if(saddles_[neighbor.vertex] == piece.saddle && numbers_[neighbor.vertex] == no_index)
@@ -128,10 +125,10 @@ private:
     piece.has_source = piece.has_sink = false;
     piece.highest_source = -infinity;
     piece.lowest_sink = infinity;
-    for(const Dense_vertex v : piece.vertices)
+    for(const Index v : piece.vertices)
       for(const auto& neighbor : graph_.neighbors(v))
       {
-        const Dense_vertex u = neighbor.vertex;
+        const Index u = neighbor.vertex;
         if(numbers_[u] == number)
           continue;
         (is_source(u, piece) ? piece.has_source : piece.has_sink) = true;
@@ -171,9 +168,7 @@ private:
     return values;
   }
 
-  void put_values(const std::vector<Dense_vertex>& order,
-                  const std::vector<Scalar>& values,
-                  std::vector<Scalar>& moved) const
+  void put_values(const std::vector<Index>& order, const std::vector<Scalar>& values, std::vector<Scalar>& moved) const
   {
     for(std::size_t i = 0; i != order.size(); ++i)
     {
@@ -183,15 +178,15 @@ private:
     }
   }
 
-  [[noreturn]] void throw_too_few_numbers(Dense_vertex v) const
+  [[noreturn]] void throw_too_few_numbers(Index v) const
   {
     throw Perturbed_ties_error(complex_.position(Vertex_index(v)));
   }
 
-  Scalar largest_distance(const std::vector<Dense_vertex>& vertices, Scalar value) const
+  Scalar largest_distance(const std::vector<Index>& vertices, Scalar value) const
   {
     Scalar distance = 0;
-    for(const Dense_vertex v : vertices)
+    for(const Index v : vertices)
       distance = (std::max)(distance, std::abs(values_[v] - value));
     return distance;
   }

@@ -92,7 +92,7 @@ private:
   void label()
   {
     std::vector<Vertex_index> queue;
-    Number number_of_components = 0;
+    Index number_of_components = 0;
     for(const Vertex_index root : complex_.vertices())
     {
       if(component_of_[root] != no_index || !complex_.has_vertex(root) || complex_.first_halfedge(root) == no_index)
