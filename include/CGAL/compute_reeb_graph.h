@@ -44,42 +44,34 @@ struct Checked_surface
   const Indexed_vector<Vertex_index, Scalar>& values;
 };
 
-// The mesh and its field, as the pipeline takes them.
-template <class FaceListGraph, class ScalarMap, class NamedParameters>
-struct Mesh_with_field
+// The first stage: the mesh and its field by numbers.
+template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+auto flatten_for_graph(const FaceListGraph& mesh,
+                       const ScalarMap& scalar_map,
+                       const Traits& traits,
+                       const NamedParameters& np)
 {
-  const FaceListGraph& mesh;
-  const ScalarMap& scalar_map;
-  const NamedParameters& np;
-
-  template <class ConcurrencyTag, class Traits>
-  auto flatten(const Traits& traits) const
+  typedef typename Traits::Scalar Scalar;
+  if constexpr(Is_flat_field<ScalarMap, Scalar>::value)
   {
-    typedef typename Traits::Scalar Scalar;
-    if constexpr(Is_flat_field<ScalarMap, Scalar>::value)
-    {
-      const auto& flat_values = *scalar_map.flat_values(mesh); // which the map holds
-      return Checked_surface<FaceListGraph, Scalar>{
-        {flat_values.mesh->complex}, flat_values.mesh->numbers, flat_values.values};
-    }
-    else
-    {
-      auto surface = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
-      surface.numbers.number_of = nullptr; // They take memory, and nobody asks for them.
-      return surface;
-    }
+    const auto& [flat_mesh, values] = *scalar_map.flat_values(mesh); // which the map holds
+    return Checked_surface<FaceListGraph, Scalar>{{flat_mesh->complex}, flat_mesh->numbers, values};
   }
-
-  // The mesh, by which the numbers of a complex lead back to the descriptors.
-  template <class Complex>
-  const FaceListGraph& mesh_of(const Complex&) const
+  else
   {
-    return mesh;
+    auto surface = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+    surface.numbers.number_of = nullptr; // They take memory, and nobody asks for them.
+    return surface;
   }
-};
+}
 
-template <class ConcurrencyTag, class Input, class Traits, class ReebGraph, class NamedParameters>
-void run_pipeline(const Input& input, const Traits& traits, ReebGraph& graph, const NamedParameters& np);
+// The stages. `mesh_of` tells by what the numbers of a complex lead back to descriptors.
+template <class ConcurrencyTag, class Flatten, class MeshOf, class Traits, class ReebGraph, class NamedParameters>
+void run_pipeline(const Flatten& flatten,
+                  const MeshOf& mesh_of,
+                  const Traits& traits,
+                  ReebGraph& graph,
+                  const NamedParameters& np);
 
 } // namespace Reeb_graph::internal
 
@@ -223,17 +215,21 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   if constexpr(std::conjunction<internal::Graph_is_not_const<ReebGraph>,
                                 internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>>::value)
   {
-    const internal::Mesh_with_field<FaceListGraph, ScalarMap, NamedParameters> input = {mesh, scalar_map, np};
     const auto traits = internal::choose_traits<Default_traits>(np);
+    const auto flatten = [&](auto tag) {
+      return internal::flatten_for_graph<decltype(tag)>(mesh, scalar_map, traits, np);
+    };
+    const auto mesh_of = [&](const auto&) -> const FaceListGraph& { return mesh; };
     if(internal::is_parallel<ConcurrencyTag>() && num_faces(mesh) < internal::smallest_parallel_mesh)
-      internal::run_pipeline<Sequential_tag>(input, traits, graph, np);
+      internal::run_pipeline<Sequential_tag>(flatten, mesh_of, traits, graph, np);
     else
-      internal::run_pipeline<ConcurrencyTag>(input, traits, graph, np);
+      internal::run_pipeline<ConcurrencyTag>(flatten, mesh_of, traits, graph, np);
   }
 }
 
-template <class ConcurrencyTag, class Input, class Traits, class ReebGraph, class NamedParameters>
-void Reeb_graph::internal::run_pipeline(const Input& input,
+template <class ConcurrencyTag, class Flatten, class MeshOf, class Traits, class ReebGraph, class NamedParameters>
+void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
+                                        const MeshOf& mesh_of,
                                         const Traits& traits,
                                         ReebGraph& graph,
                                         const NamedParameters& np)
@@ -255,7 +251,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
 
   progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);
-  auto [unchecked_complex, numbers, values] = input.template flatten<ConcurrencyTag>(traits);
+  auto [unchecked_complex, numbers, values] = flatten(ConcurrencyTag());
   const stages::Vertex_order order(values, traits.less_scalar_object());
   visitor.end_stage(Stage::FLATTEN);
   progress.report(0.2);
@@ -286,7 +282,7 @@ void Reeb_graph::internal::run_pipeline(const Input& input,
 
   // Not written aside and swapped: to swap graphs of Boost copies them.
   visitor.begin_stage(Stage::WRITE);
-  stages::write_graph<ConcurrencyTag>(input.mesh_of(complex), complex, numbers, values, order, flat_graph, graph);
+  stages::write_graph<ConcurrencyTag>(mesh_of(complex), complex, numbers, values, order, flat_graph, graph);
   places.write(numbers.vertices);
   visitor.end_stage(Stage::WRITE);
   progress.report_end();

@@ -24,26 +24,6 @@
 namespace CGAL {
 namespace Reeb_graph::internal {
 
-// A soup and its field, as the pipeline takes them.
-template <std::size_t vertices_per_cell, class PointsOrNumber, class Cells, class Scalars, class NamedParameters>
-struct Soup_with_field
-{
-  const PointsOrNumber& points;
-  const Cells& cells;
-  const Scalars& scalars;
-  const NamedParameters& np;
-
-  template <class ConcurrencyTag, class Traits>
-  auto flatten(const Traits& traits) const
-  {
-    return flatten_cells<ConcurrencyTag, vertices_per_cell>(points, cells, parameters::get_parameter(np, edges_of_soup),
-                                                            scalars, traits);
-  }
-
-  // Descriptors are made from the numbers of the complex.
-  const Simplicial_complex& mesh_of(const Simplicial_complex& complex) const { return complex; }
-};
-
 template <class ConcurrencyTag,
           std::size_t vertices_per_cell,
           class PointsOrNumber,
@@ -62,13 +42,16 @@ void compute_graph_of_cells(const PointsOrNumber& points,
   if constexpr(std::conjunction<Graph_is_not_const<ReebGraph>,
                                 Graph_of_field<ReebGraph, Simplicial_complex, typename Traits::Scalar>>::value)
   {
-    const Soup_with_field<vertices_per_cell, PointsOrNumber, Cells, Scalars, NamedParameters> input = {points, cells,
-                                                                                                       scalars, np};
     const auto traits = choose_traits<Default_traits>(np);
+    const auto flatten = [&](auto tag) {
+      return flatten_cells<decltype(tag), vertices_per_cell>(
+        points, cells, parameters::get_parameter(np, edges_of_soup), scalars, traits);
+    };
+    const auto mesh_of = [](const Simplicial_complex& complex) -> const Simplicial_complex& { return complex; };
     if(is_parallel<ConcurrencyTag>() && count_vertices(points) < smallest_parallel_mesh / 2)
-      run_pipeline<Sequential_tag>(input, traits, graph, np);
+      run_pipeline<Sequential_tag>(flatten, mesh_of, traits, graph, np);
     else
-      run_pipeline<ConcurrencyTag>(input, traits, graph, np);
+      run_pipeline<ConcurrencyTag>(flatten, mesh_of, traits, graph, np);
   }
 }
 

@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
-#include <CGAL/Reeb_graph/internal/complex/borders.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,7 @@
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
 
-#include <CGAL/Reeb_graph/internal/base/tuning.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 
 #include <algorithm>
 #include <array>

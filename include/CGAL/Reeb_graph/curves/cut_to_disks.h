@@ -17,8 +17,8 @@
 #include <CGAL/Reeb_graph/curves/internal/requirements.h>
 #include <CGAL/Reeb_graph/curves/internal/trace_edges.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
-#include <CGAL/Reeb_graph/internal/complex/borders.h>
 
 #include <CGAL/number_utils.h>
 

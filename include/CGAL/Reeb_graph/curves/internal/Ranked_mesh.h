@@ -16,7 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/internal/complex/borders.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>

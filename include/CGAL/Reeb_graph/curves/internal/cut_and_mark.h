@@ -18,7 +18,7 @@
 #include <CGAL/Reeb_graph/curves/internal/Refined_field.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/internal/complex/borders.h>
+#include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

@@ -18,8 +18,8 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
-#include <CGAL/Reeb_graph/internal/complex/borders.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>

@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
-#include <CGAL/Reeb_graph/internal/complex/borders.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/boost/graph/iterator.h>

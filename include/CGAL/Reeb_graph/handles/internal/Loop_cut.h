@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
-#include <CGAL/Reeb_graph/internal/complex/borders.h>
+#include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/internal/space/triangle_intersections.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -28,6 +28,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <mutex>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -249,6 +250,38 @@ void sort(Iterator first, Iterator last, const Less& less)
     sort_in_parallel<ConcurrencyTag>(&*first, &*first + size, buffer.get(), less, number_of_runs, false);
   }
 }
+
+// A part of a constant object that is made when it is asked for first, by whichever thread that is.
+template <class T>
+class Made_on_demand
+{
+public:
+  // make() is called by the first call only.
+  template <class Make>
+  const T& operator()(const Make& make) const
+  {
+    if(!part_->is_made.load(std::memory_order_acquire))
+    {
+      const std::lock_guard<std::mutex> lock(part_->mutex);
+      if(!part_->is_made.load(std::memory_order_relaxed))
+      {
+        part_->value = make();
+        part_->is_made.store(true, std::memory_order_release);
+      }
+    }
+    return part_->value;
+  }
+
+private:
+  struct Part
+  {
+    std::atomic<bool> is_made{false};
+    std::mutex mutex;
+    T value;
+  };
+
+  std::unique_ptr<Part> part_ = std::make_unique<Part>(); // so that the object can be moved
+};
 
 } // namespace CGAL::Reeb_graph::internal
 

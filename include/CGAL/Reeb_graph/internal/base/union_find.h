@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/tuning.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 
 #include <numeric>
 #include <utility>

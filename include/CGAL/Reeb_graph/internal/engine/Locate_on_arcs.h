@@ -13,8 +13,8 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/tuning.h>
+#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
 #include <CGAL/Reeb_graph/internal/engine/slabs.h>

@@ -17,7 +17,6 @@
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/internal/base/tuning.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/walks.h>

@@ -6,13 +6,12 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_COMPLEX_BORDERS_H
-#define CGAL_REEB_GRAPH_INTERNAL_COMPLEX_BORDERS_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_COMPLEX_CURVE_OPENING_H
+#define CGAL_REEB_GRAPH_INTERNAL_COMPLEX_CURVE_OPENING_H
 
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -24,39 +23,6 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-// A border component of a mesh.
-template <class HalfedgeDescriptor>
-struct Border_cycle
-{
-  HalfedgeDescriptor halfedge; // of the border, leads to the first vertex
-  std::size_t first_vertex;    // position in vertices(mesh)
-};
-
-// Finds the border components, in the order of their first vertices in vertices(mesh).
-template <class Mesh>
-auto find_border_cycles(const Mesh& mesh)
-{
-  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
-  std::vector<Border_cycle<halfedge_descriptor>> cycles;
-  const auto is_found = get(dynamic_vertex_property_t<bool>(), mesh);
-  for(const auto v : vertices(mesh))
-    put(is_found, v, false);
-  std::size_t position = 0;
-  for(const auto v : vertices(mesh))
-  {
-    const std::size_t first_vertex = position++;
-    if(get(is_found, v) || halfedge(v, mesh) == boost::graph_traits<Mesh>::null_halfedge())
-      continue;
-    const auto border = is_border(v, mesh);
-    if(!border)
-      continue;
-    cycles.push_back({*border, first_vertex});
-    for(const auto u : vertices_around_face(*border, mesh))
-      put(is_found, u, true);
-  }
-  return cycles;
-}
 
 // The visitor that an opening calls: `on_vertex` comes before the visitor of the user.
 template <class OnVertex, class Visitor>
@@ -228,4 +194,4 @@ private:
 
 } // namespace CGAL::Reeb_graph::internal
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_BORDERS_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_COMPLEX_CURVE_OPENING_H
