@@ -236,7 +236,7 @@ void test_merging()
   largest.is_largest_kept = true;
   const Repair_result kept = repair_soup(parts, largest);
   check(kept.new_vertices
-            == std::vector<std::size_t>({no_index, no_index, no_index, 0, 1, 2, 3, no_index, no_index, no_index})
+            == std::vector<std::size_t>({no_vertex, no_vertex, no_vertex, 0, 1, 2, 3, no_vertex, no_vertex, no_vertex})
           && has_faces(parts, {{0, 1, 2}, {1, 0, 3}}) && kept.counts.other_faces == 2,
         "the largest component is another one");
 }

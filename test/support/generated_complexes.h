@@ -27,7 +27,7 @@ struct Tetrahedron_soup
 };
 
 namespace internal {
-constexpr std::size_t no_index = static_cast<std::size_t>(-1);
+constexpr std::size_t no_vertex = static_cast<std::size_t>(-1);
 
 // The corners of a grid of cubes. Those that are used become vertices, in the order in which they are asked for.
 template <class Soup>
@@ -37,13 +37,13 @@ public:
   Grid_corners(Soup& soup, const std::array<std::size_t, 3>& cubes)
     : soup_(soup),
       cubes_(cubes),
-      vertices_((cubes[0] + 1) * (cubes[1] + 1) * (cubes[2] + 1), no_index)
+      vertices_((cubes[0] + 1) * (cubes[1] + 1) * (cubes[2] + 1), no_vertex)
   {}
 
   std::size_t vertex(const std::array<std::size_t, 3>& corner)
   {
     std::size_t& v = vertices_[(corner[2] * (cubes_[1] + 1) + corner[1]) * (cubes_[0] + 1) + corner[0]];
-    if(v != no_index)
+    if(v != no_vertex)
       return v;
     const double size = static_cast<double>(*std::max_element(cubes_.begin(), cubes_.end()));
     std::array<double, 3> point;

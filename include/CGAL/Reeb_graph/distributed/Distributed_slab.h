@@ -94,8 +94,8 @@ public:
       contours.push_back({is_closed, {}});
       contours.back().edges.reserve(halfedges.size());
       for(const internal::Halfedge_index halfedge : halfedges)
-        contours.back().edges.emplace_back(complex.global_vertex(complex.source(halfedge)),
-                                           complex.global_vertex(complex.target(halfedge)));
+        contours.back().edges.emplace_back(complex.position(complex.source(halfedge)),
+                                           complex.position(complex.target(halfedge)));
     });
     return contours;
   }

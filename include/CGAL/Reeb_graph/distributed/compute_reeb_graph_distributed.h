@@ -137,8 +137,8 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
   namespace internal = Reeb_graph::internal;
   typedef std::decay_t<decltype(*std::begin(local_scalars))> Scalar;
   if constexpr(internal::are_types_for_ranks<Scalar, ReebGraph>())
-    internal::run_on_ranks<internal::Slab_complex>(communicator, local_vertices, local_triangles, local_scalars, graph,
-                                                   np);
+    internal::run_on_ranks<internal::Triangle_complex>(communicator, local_vertices, local_triangles, local_scalars,
+                                                       graph, np);
 }
 
 /// \ingroup PkgReebGraphRef

@@ -123,49 +123,8 @@ private:
   Long_index number_of_vertices_;
 };
 
-// The surface that a rank holds, of which only the vertices of its slab count as vertices: each has its whole star
-// here. What is beyond them is known as far as levels in the slab cross it. It refers to the arrays of a Slab_surface.
-class Slab_complex : public Halfedge_array_complex<Slab_complex>
-{
-public:
-  Slab_complex(Halfedge_arrays arrays,
-               const Indexed_vector<Vertex_index, Long_index>& global_vertices,
-               const Indexed_vector<Vertex_index, Slab_index>& slabs_of_vertices)
-    : Halfedge_array_complex<Slab_complex>(std::move(arrays)),
-      global_vertices_(&global_vertices),
-      slabs_of_vertices_(&slabs_of_vertices)
-  {}
-
-  bool has_vertex(Vertex_index vertex) const { return (*slabs_of_vertices_)[vertex] == Slabs_of_rank::inside(); }
-  bool has_star(Vertex_index vertex) const { return has_vertex(vertex); }
-
-  Long_index global_vertex(Vertex_index vertex) const { return (*global_vertices_)[vertex]; }
-  std::size_t position(Vertex_index vertex) const { return static_cast<std::size_t>(global_vertex(vertex)); }
-
-  // For Unchecked_complex. The triangles have three vertices, and there are no edges without them.
-  std::size_t number_of_faces() const
-  {
-    return count_halfedges([](const Halfedge& h) { return h.next != no_index; }) / 3;
-  }
-  bool has_no_others(std::size_t number_of_corners, std::size_t) const
-  {
-    return number_of_corners
-        == count_halfedges([&](const Halfedge& h) { return h.next != no_index && has_vertex(h.target); });
-  }
-
-private:
-  template <class IsCounted>
-  std::size_t count_halfedges(const IsCounted& is_counted) const
-  {
-    return static_cast<std::size_t>(std::count_if(halfedges().begin(), halfedges().end(), is_counted));
-  }
-
-  const Indexed_vector<Vertex_index, Long_index>* global_vertices_;
-  const Indexed_vector<Vertex_index, Slab_index>* slabs_of_vertices_;
-};
-
 // The surface that a rank holds, after its triangles have been linked. The complex refers to the arrays of the surface.
-template <class Scalar, class Complex = Slab_complex>
+template <class Scalar, class Complex = Triangle_complex>
 struct Linked_slab
 {
   Linked_slab() = default;
@@ -181,7 +140,7 @@ struct Linked_slab
 template <class Scalar, class Visit>
 void for_each_contour(const Linked_slab<Scalar>& slab, const Scalar& value, const Visit& visit)
 {
-  const Slab_complex& complex = slab.classified->complex;
+  const Triangle_complex& complex = slab.classified->complex;
   const auto is_below = [&](Vertex_index v) { return !(value < slab.surface.values[v]); };
   std::vector<bool> is_found(complex.number_of_edges(), false);
   Plain_vector<Halfedge_index> crossed;

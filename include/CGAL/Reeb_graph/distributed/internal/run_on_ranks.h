@@ -90,7 +90,7 @@ class Border_paths
 {
 public:
   template <class Scalar>
-  Border_paths(const Slab_complex& complex, const Slab_surface<Scalar>& surface)
+  Border_paths(const Triangle_complex& complex, const Slab_surface<Scalar>& surface)
   {
     const auto& slabs = surface.slabs_of_vertices;
     Indexed_vector<Border_path, Edge_index> edges;
@@ -114,7 +114,7 @@ public:
 
 private:
   template <class Scalar>
-  void join_edges(const Slab_complex& complex,
+  void join_edges(const Triangle_complex& complex,
                   const Slab_surface<Scalar>& surface,
                   const Indexed_vector<Border_path, Edge_index>& edges)
   {
@@ -154,7 +154,7 @@ private:
 // The numbers of border edges and of border loops of the whole surface, on all ranks. Collective.
 template <class Scalar>
 std::array<std::uint64_t, 2> count_borders(Exchange& exchange,
-                                           const Slab_complex& complex,
+                                           const Triangle_complex& complex,
                                            const Slab_surface<Scalar>& surface)
 {
   std::optional<Border_paths> paths;

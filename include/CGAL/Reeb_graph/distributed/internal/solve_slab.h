@@ -182,10 +182,14 @@ Classified_complex<Complex> make_and_classify(Slab_surface<Scalar>& surface, con
 {
   if constexpr(Complex::is_surface)
   {
+    const std::size_t number_of_faces = surface.triangles.size();
     Halfedge_arrays arrays = Triangle_linking(std::move(surface.triangles), surface.global_vertices)();
-    surface.triangles = {};
+    arrays.is_inside.reserve(surface.slabs_of_vertices.size());
+    for(const Slab_index slab : surface.slabs_of_vertices)
+      arrays.is_inside.push_back(slab == surface.inside());
+    arrays.positions = &surface.global_vertices;
     return check_and_classify_vertices<Sequential_tag>(
-      Unchecked_complex(Slab_complex(std::move(arrays), surface.global_vertices, surface.slabs_of_vertices)), order);
+      Unchecked_complex(Triangle_complex(std::move(arrays), number_of_faces)), order);
   }
   else
   {

@@ -173,7 +173,7 @@ public:
     }
   }
 
-  // Whether all triangles at a vertex are there. A derived class that is a part of a surface hides this.
+  // Whether all triangles at a vertex are there.
   bool has_star(Vertex_index) const { return true; }
 
   // Whether fans with as many corners of triangles, some of which are at the border, are all that there is: every
@@ -225,52 +225,54 @@ struct Halfedge_arrays
   Indexed_vector<Halfedge_index, Halfedge> halfedges;
   Indexed_vector<Vertex_index, Halfedge_index>
     halfedges_of_vertices; // one of a face that ends there; no_index if there is none
+
+  // Of a part of a surface: the vertices that are inside, and have their whole stars here. Only they count as vertices.
+  Indexed_vector<Vertex_index, bool> is_inside = {};
+  const Indexed_vector<Vertex_index, Long_index>* positions = nullptr; // of the vertices on the surface
 };
 
-// A surface whose halfedges are in a flat array. All numbers belong to vertices and edges.
-template <class Complex>
-class Halfedge_array_complex : public Triangle_complex_base<Complex>
+// A surface copied from a mesh of any type, or a part of one. All numbers belong to vertices and edges.
+class Triangle_complex : public Triangle_complex_base<Triangle_complex>
 {
 public:
-  explicit Halfedge_array_complex(Halfedge_arrays arrays)
-    : Triangle_complex_base<Complex>(std::move(arrays.halfedges_of_vertices)),
-      halfedges_(std::move(arrays.halfedges))
+  Triangle_complex(Halfedge_arrays arrays, std::size_t number_of_faces)
+    : Triangle_complex_base<Triangle_complex>(std::move(arrays.halfedges_of_vertices)),
+      halfedges_(std::move(arrays.halfedges)),
+      is_inside_(std::move(arrays.is_inside)),
+      positions_(arrays.positions),
+      number_of_faces_(number_of_faces)
   {}
 
   Index number_of_halfedges() const { return static_cast<Index>(halfedges_.size()); }
-  bool has_vertex(Vertex_index) const { return true; }
+  bool has_vertex(Vertex_index vertex) const { return is_inside_.empty() || is_inside_[vertex]; }
+  bool has_star(Vertex_index vertex) const { return has_vertex(vertex); }
   bool has_edge(Edge_index) const { return true; }
 
   Vertex_index target(Halfedge_index halfedge) const { return halfedges_[halfedge].target; }
   Halfedge_index next(Halfedge_index halfedge) const { return halfedges_[halfedge].next; }
   bool has_triangle(Halfedge_index halfedge) const { return next(halfedge) != no_index; }
 
+  std::size_t number_of_faces() const { return number_of_faces_; }
+  std::size_t number_of_live_edges() const { return halfedges_.size() / 2; }
+  std::size_t position(Vertex_index vertex) const { return positions_ ? (*positions_)[vertex] : vertex.number(); }
+
   // The faces have been checked before, as has been that each edge has one.
-  Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return this->first_halfedge(vertex); }
+  Halfedge_index halfedge_of_face_at(Vertex_index vertex) const { return first_halfedge(vertex); }
   void check_faces() const {}
   void check_edges() const {}
-
-protected:
-  const Indexed_vector<Halfedge_index, Halfedge>& halfedges() const { return halfedges_; }
+  bool has_no_others(std::size_t number_of_corners, std::size_t number_of_border_fans) const
+  {
+    const auto is_corner = [&](const Halfedge& h) { return h.next != no_index && is_inside_[h.target]; };
+    return is_inside_.empty() ? Triangle_complex_base::has_no_others(number_of_corners, number_of_border_fans)
+                              : std::count_if(halfedges_.begin(), halfedges_.end(), is_corner)
+                                  == static_cast<std::ptrdiff_t>(number_of_corners);
+  }
 
 private:
   Indexed_vector<Halfedge_index, Halfedge>
-    halfedges_; // both members in one line of the cache, with the opposite halfedge
-};
-
-// A surface copied from a mesh of any type.
-class Triangle_complex : public Halfedge_array_complex<Triangle_complex>
-{
-public:
-  Triangle_complex(Halfedge_arrays arrays, std::size_t number_of_faces)
-    : Halfedge_array_complex<Triangle_complex>(std::move(arrays)),
-      number_of_faces_(number_of_faces)
-  {}
-
-  std::size_t number_of_faces() const { return number_of_faces_; }
-  std::size_t number_of_live_edges() const { return halfedges().size() / 2; }
-
-private:
+    halfedges_;                                  // both members in one line of the cache, with the opposite halfedge
+  Indexed_vector<Vertex_index, bool> is_inside_; // empty if all are
+  const Indexed_vector<Vertex_index, Long_index>* positions_;
   std::size_t number_of_faces_;
 };
 
