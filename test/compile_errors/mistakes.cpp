@@ -72,7 +72,7 @@ void call_with_const_mesh(const Mesh& mesh, Scalar_map scalar_map, std::vector<C
   CGAL::Reeb_graph::cutting_system(mesh, scalar_map, std::back_inserter(curves));
 }
 
-// message: The mesh is no FaceListGraph of CGAL
+// message: The mesh is not a FaceListGraph of CGAL
 void call_with_no_mesh(const std::vector<Mesh::Vertex_index>& triangles, Scalar_map scalar_map, Graph& graph)
 {
   CGAL::compute_reeb_graph(triangles, scalar_map, graph);
@@ -152,53 +152,53 @@ void call_with_map_of_faces_for_nodes(const Graph& graph, Face_map index_map, st
   CGAL::Reeb_graph::write_graphml(out, graph, index_map);
 }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void simplify_other_values(const Value_graph<0>& graph, Value_graph<0>& simplified)
 {
   CGAL::Reeb_graph::simplify(graph, 1, simplified);
 }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void find_arc_persistences_of_other_values(const Value_graph<1>& graph) { CGAL::Reeb_graph::arc_persistences(graph); }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void find_persistence_of_other_values(const Value_graph<2>& graph,
                                       const CGAL::Reeb_graph::Persistence_pair<std::size_t>& pair)
 {
   CGAL::Reeb_graph::persistence(graph, pair);
 }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void lay_out_other_values(const Value_graph<3>& graph) { CGAL::Reeb_graph::lay_out_in_plane(graph); }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void draw_other_values(const Value_graph<4>& graph, std::ostream& out) { CGAL::Reeb_graph::write_svg(out, graph); }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void measure_arcs_of_other_values(const Mesh& mesh, Value_map<5> scalar_map, const Value_graph<5>& graph)
 {
   CGAL::Reeb_graph::arc_lengths(mesh, scalar_map, graph);
 }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void cut_along_curves_of_other_values(Mesh& mesh, Value_map<6> scalar_map, std::vector<Curve>& curves)
 {
   CGAL::Reeb_graph::cutting_system(mesh, scalar_map, std::back_inserter(curves));
 }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void segment_by_other_values(Mesh& mesh, Value_map<7> scalar_map, const Value_graph<7>& graph, Face_map patches)
 {
   CGAL::Reeb_graph::segment_by_arcs(mesh, scalar_map, graph, patches);
 }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void simplify_field_of_other_values(const Mesh& mesh, Value_map<8> scalar_map)
 {
   CGAL::Reeb_graph::simplify_field(mesh, scalar_map, 1, scalar_map);
 }
 
-// message: The scalar values are no numbers
+// message: The scalar values are not numbers
 void make_borders_level_by_other_values(const Mesh& mesh, Value_map<9> scalar_map)
 {
   CGAL::Reeb_graph::make_borders_level(mesh, scalar_map);

@@ -80,7 +80,7 @@ public:
     }
     catch(...)
     {
-      return Fault(Kind::OTHER, 0, 0, "an exception that is no std::exception");
+      return Fault(Kind::OTHER, 0, 0, "an exception that is not a std::exception");
     }
   }
 

@@ -56,7 +56,7 @@ template <class Graph>
 struct Graph_is_boost_graph : std::conjunction<Has<Vertices_of, Graph>, Has<Edges_of, Graph>>
 {
   static_assert(Graph_is_boost_graph::value,
-                "The graph is no graph of Boost: use CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph.");
+                "The graph is not a graph of Boost: use CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph.");
 };
 
 template <class Graph>

@@ -66,7 +66,7 @@ template <class Mesh>
 struct Mesh_is_face_list_graph : Is_face_list_graph<Mesh>
 {
   static_assert(Mesh_is_face_list_graph::value,
-                "The mesh is no FaceListGraph of CGAL. If its type is one, include the header that says so, such as "
+                "The mesh is not a FaceListGraph of CGAL. If its type is one, include the header that says so, such as "
                 "CGAL/Surface_mesh.h or one of CGAL/boost/graph/graph_traits_*.h.");
 };
 
@@ -90,9 +90,10 @@ struct Descriptors<Mesh, false>
 template <class Map>
 struct Map_is_property_map : Has<Key_and_value_of, Map>
 {
-  static_assert(Map_is_property_map::value,
-                "A property map is needed here, and this type is none. Are the arguments in their order? For values in "
-                "the order of the vertices, CGAL::Reeb_graph::make_scalar_map() makes one.");
+  static_assert(
+    Map_is_property_map::value,
+    "A property map is needed here, and this type is not one. Are the arguments in their order? For values in "
+    "the order of the vertices, CGAL::Reeb_graph::make_scalar_map() makes one.");
 };
 
 // The value type of a property map, or another one if it is none, so that only the message of a function says so.
@@ -190,7 +191,7 @@ struct Scalars_are_numbers : std::bool_constant<Scalar_conversion<Traits>::has_n
 {
   static_assert(
     Scalars_are_numbers::value,
-    "The scalar values are no numbers, which this function needs. Pass as named parameter geom_traits, if it "
+    "The scalar values are not numbers, which this function needs. Pass as named parameter geom_traits, if it "
     "takes that, a traits class with a member scalar_to_double_object() that makes numbers of them.");
 };
 
@@ -223,7 +224,7 @@ struct Field_of_numbers_and_map
 template <class Mesh>
 struct Mesh_can_be_refined : Has<Added_edge, Mesh>
 {
-  static_assert(Mesh_can_be_refined::value, "The mesh is no MutableFaceGraph of CGAL: no edge can be added to it.");
+  static_assert(Mesh_can_be_refined::value, "The mesh is not a MutableFaceGraph of CGAL: no edge can be added to it.");
 };
 
 template <class Mesh>
