@@ -102,6 +102,10 @@ std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_optio
   const bool has_table = options.is_table_wanted.value_or(num_edges(graph.result()) <= few_arcs);
   const bool has_places = !options.vertex_arcs_path.empty() || !options.mesh_path.empty();
   const bool has_attributes = are_attributes_written(options, is_surface);
+  if(!options.graph_path.empty() && has_arc_attributes(options.graph_path) && !has_attributes
+     && !options.is_table_wanted)
+    report.notes.push_back(options.graph_path
+                           + ": measures of arcs are left out, as they can take long; --table adds them");
   std::vector<CGAL::Reeb_graph::Attribute> attributes;
   if(has_table || has_attributes)
   {
@@ -126,8 +130,11 @@ std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_optio
     write_mesh(options.mesh_path, mesh, {scalar_map, graph.places(), number_of_nodes, std::nullopt}, report.notes);
   std::optional<Graph> copy;
   if(embedding)
+  {
+    note_lost_nodes(options.graph_path, graph.result(), report.notes);
     write_graph_in_space(options.graph_path, with_base(graph.result(), options.base, copy), *embedding, attributes,
                          [&](std::ostream& stream) { graph.write_json(stream, *embedding, attributes, options.base); });
+  }
   report.add_seconds("output", output_stopwatch.seconds());
   return attributes;
 }
@@ -218,6 +225,8 @@ void check(const Compute_options& options)
   if(!options.mesh_path.empty())
     check_mesh_format(options.mesh_path);
   check_outputs(output_files(options), input_files(options.input));
+  check_numbers_format(options.vertex_arcs_path);
+  check_numbers_format(options.simplified_scalars_path);
   if(options.embedding_manner && !is_graph_in_space(options))
     throw std::runtime_error("--embedding goes with --graph and a format in space only: .vtp, .obj, .polylines.txt, "
                              ".json, or .csv");
@@ -258,6 +267,9 @@ void write_results(const Compute_options& options, Mesh& mesh, Scalar_map scalar
   write_graph_file(options, graph.result(), attributes, report);
   write_page_file(options, graph, scalar_map, loops, report);
   files.put_in_place();
+  const bool is_unit_shown =
+    !options.page_path.empty() || std::filesystem::path(options.graph_path).extension() == ".svg";
+  note_lost_unit(options.unit, is_unit_shown, report.notes);
 }
 
 void write_pairs_and_diagram(const Compute_options& options,

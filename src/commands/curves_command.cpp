@@ -197,7 +197,10 @@ void write_files_of_graph(const Curves_options& options,
                                  || (!options.graph_path.empty() && has_arc_attributes(options.graph_path));
   const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
   if(!options.graph_path.empty())
+  {
     write_graph_file(options, *graph);
+    note_lost_nodes(options.graph_path, graph->result(), report.notes);
+  }
   if(are_arcs_written(options))
     write_contours(options.curves_path, contours_of_levels(result, scalar_map, *graph), false);
   report.add_seconds("graph", graph_stopwatch.seconds());
@@ -314,6 +317,8 @@ void run_curves(Curves_options options)
   check_simplification_of_field(options.simplification);
   const std::vector<std::filesystem::path> outputs = output_files(options);
   check_outputs(outputs, input_files(options.input));
+  check_numbers_format(options.patches_path);
+  check_numbers_format(options.vertex_map_path);
   Curves_report report;
   const bool has_field = is_field_needed(options);
   Mesh mesh;
@@ -341,6 +346,10 @@ void run_curves(Curves_options options)
   }
   write_files_of_graph(options, mesh, scalar_map, result, report);
   files.put_in_place();
+  note_lost_unit(options.unit,
+                 is_whole_shown || !options.page_path.empty()
+                   || std::filesystem::path(options.graph_path).extension() == ".svg",
+                 report.notes);
   report.curves = result.polylines.size();
   report.patches = result.number_of_patches;
   report.border_changes = result.border_changes;

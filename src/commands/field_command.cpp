@@ -19,6 +19,7 @@ namespace reeb_graph_program {
 void run_field(const Field_options& options)
 {
   check_outputs({options.output_path}, input_files(options.input));
+  check_numbers_format(options.output_path);
   Work_report report;
   Mesh mesh = read_mesh(options.input, report);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);

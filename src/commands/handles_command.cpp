@@ -12,6 +12,7 @@
 #include "computation/handles.h"
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
+#include "output/graph_output.h"
 #include "output/loops_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
@@ -121,6 +122,7 @@ void run_handles(const Handles_options& options)
   if(!options.page_path.empty())
     write_page_of_loops(options, mesh, scalar_map, loops, report.field);
   files.put_in_place();
+  note_lost_unit(options.unit, !options.page_path.empty(), report.notes);
   if(!options.mesh_path.empty() || !options.loops_path.empty() || !options.page_path.empty())
     report.add_seconds("output", output_stopwatch.seconds());
   if(options.is_report_json)

@@ -92,6 +92,7 @@ void run_repair(const Repair_command_options& options)
   check_mesh_format(options.output_path);
   const std::vector<std::filesystem::path> outputs = {options.output_path, options.map_path};
   check_outputs(outputs, input_files(options.mesh_path, ""));
+  check_numbers_format(options.map_path);
   Repair_report report;
   const Stopwatch stopwatch;
   std::optional<Progress_bar> progress_bar(std::in_place, "reading");

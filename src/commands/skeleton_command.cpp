@@ -11,6 +11,7 @@
 #include "computation/Mesh_graph.h"
 #include "computation/skeleton.h"
 #include "input/field_input.h"
+#include "output/graph_output.h"
 #include "output/output_file.h"
 #include "output/report_parts.h"
 #include "output/skeleton_output.h"
@@ -98,6 +99,7 @@ void run_skeleton(const Skeleton_command_options& options)
   if(!options.page_path.empty())
     write_page_of_skeleton(options, mesh, *scalar_map, report);
   files.put_in_place();
+  note_lost_unit(options.unit, !options.page_path.empty(), report.notes);
   if(!options.output_paths.empty() || !options.page_path.empty())
     report.add_seconds("output", output_stopwatch.seconds());
   if(options.is_report_json)

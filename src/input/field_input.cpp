@@ -66,9 +66,11 @@ std::string describe_obstacle(const Mesh& mesh)
     return obstacle + "; " + std::to_string(mesh.findings.close_points.coinciding + mesh.findings.close_points.close)
          + " points of borders coincide with others, or nearly: " + suggested_repair(mesh.findings.close_points)
          + " merges them";
-  return complex.tetrahedra.empty() && complex.edges.empty() && complex.duplicate_faces == 0
-         ? obstacle + "; reeb_graph repair --split cuts the mesh open there"
-         : obstacle;
+  if(!complex.tetrahedra.empty())
+    return obstacle;
+  return obstacle
+       + (complex.edges.empty() ? "; reeb_graph repair --split cuts the mesh open there"
+                                : "; reeb_graph repair leaves edges of no face out");
 }
 
 Mesh read_mesh(const Input_options& options, Work_report& report)

@@ -119,6 +119,22 @@ void write_graph_in_space(const fs::path& path,
   });
 }
 
+void note_lost_nodes(const fs::path& path, const Graph& graph, std::vector<std::string>& notes)
+{
+  const auto nodes = CGAL::make_range(vertices(graph));
+  const auto number = std::count_if(nodes.begin(), nodes.end(),
+                                    [&](auto node) { return in_degree(node, graph) + out_degree(node, graph) == 0; });
+  if(number > 0 && format_of(path).ending == ".polylines.txt")
+    notes.push_back(path.string()
+                    + ": nodes without arcs are left out, as they have no line: " + std::to_string(number));
+}
+
+void note_lost_unit(const std::string& unit, bool is_shown, std::vector<std::string>& notes)
+{
+  if(!unit.empty() && !is_shown)
+    notes.emplace_back("the unit is left out: --html and drawings of graphs, .svg, show it");
+}
+
 void write_vertex_arcs(const std::filesystem::path& path,
                        const std::vector<std::size_t>& places,
                        std::size_t number_of_nodes)

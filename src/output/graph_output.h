@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -47,6 +48,12 @@ void write_graph_in_space(const std::filesystem::path& path,
                           const Embedding& embedding,
                           const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes,
                           const std::function<void(std::ostream&)>& write_json);
+
+// Notes nodes without arcs, which polylines have no room for.
+void note_lost_nodes(const std::filesystem::path& path, const Graph& graph, std::vector<std::string>& notes);
+
+// Notes that a unit that has been asked for is shown nowhere.
+void note_lost_unit(const std::string& unit, bool is_shown, std::vector<std::string>& notes);
 
 // Writes for each vertex, on a line of its own, the node or the arc that it belongs to, by their numbers in the graph
 // files. `places` are those of a Mesh_graph.

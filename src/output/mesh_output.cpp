@@ -348,6 +348,16 @@ void write_scalars(const std::filesystem::path& path, const Surface& surface, Sc
   });
 }
 
+void check_numbers_format(const std::filesystem::path& path)
+{
+  static const std::vector<std::string> meshes = {".off",  ".ply", ".obj", ".stl", ".ts",
+                                                  ".mesh", ".vtk", ".vtu", ".vtp"};
+  if(std::find(meshes.begin(), meshes.end(), path.extension()) != meshes.end())
+    throw std::runtime_error(path.string()
+                             + ": this is written as one number per line, or as .npy; --mesh-out of compute "
+                               "writes meshes with fields");
+}
+
 void write_integers(const std::filesystem::path& path, const std::vector<std::int64_t>& numbers)
 {
   write_file(path, [&](std::ostream& stream) {

@@ -34,6 +34,9 @@ void write_surface(const std::filesystem::path& path, const Surface& surface, No
 // One number per line in the order of the vertices, with all digits; .npy as NumPy has it.
 void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map);
 
+// Throws std::runtime_error if a file of numbers, one per line or .npy, is called as one of a mesh; a path may be empty.
+void check_numbers_format(const std::filesystem::path& path);
+
 // One whole number per line, or .npy.
 void write_integers(const std::filesystem::path& path, const std::vector<std::int64_t>& numbers);
 

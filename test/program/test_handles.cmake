@@ -110,6 +110,14 @@ file(WRITE ${FOLDER}/book.off "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n3
 expect_error("the mesh is not an oriented manifold surface; .*; reeb_graph repair --split" handles book.off)
 expect_error("the mesh is not an oriented manifold surface; .*; reeb_graph repair --split" skeleton book.off)
 expect_error("--html needs an oriented manifold surface; .*; reeb_graph repair --split" compute book.off --field z --html p.html)
+file(WRITE ${FOLDER}/line.obj "v 0 0 0\nv 1 0 0\nv 0 1 1\nv 2 2 2\nf 1 2 3\nl 3 4\n")
+expect_error("; reeb_graph repair leaves edges of no face out" handles line.obj)
+expect_success(repair line.obj --output line.ply)
+expect_success(handles line.ply)
+file(WRITE ${FOLDER}/fin.off "OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 -1 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n3 1 0 4\n")
+expect_error("1 face repeats an earlier one, .*; reeb_graph repair --split" handles fin.off)
+expect_success(repair fin.off --split --output split.off)
+expect_success(handles split.off)
 
 # A frame of eight cubes around a hole: places of the loops, and of that which is removed.
 set(points)
