@@ -40,6 +40,7 @@ using reeb_graph_program::add_input_options;
 using reeb_graph_program::add_json_option;
 using reeb_graph_program::add_list_of_fields;
 using reeb_graph_program::add_mesh_file;
+using reeb_graph_program::add_output_files;
 using reeb_graph_program::add_page_options;
 using reeb_graph_program::add_real_number;
 using reeb_graph_program::add_simplification_options;
@@ -58,6 +59,7 @@ using reeb_graph_program::describe;
 using reeb_graph_program::Field_options;
 using reeb_graph_program::Handles_options;
 using reeb_graph_program::parse_real_number;
+using reeb_graph_program::parse_size;
 using reeb_graph_program::Point;
 using reeb_graph_program::Repair_command_options;
 using reeb_graph_program::run_with_threads;
@@ -102,9 +104,9 @@ void add_contour_command(CLI::App& app, Contour_options& options)
     ->type_name("FLOAT")
     ->expected(3);
   begin_group(*command, "Output");
-  add_file(
-    *command, "--output", options.output_path,
-    "Write the contours to this file: .polylines.txt, or .off in tetrahedra; .vtp, .obj, .json, and .csv also have "
+  add_output_files(
+    *command, options.output_paths,
+    "Write the contours to these files: .polylines.txt, or .off in tetrahedra; .vtp, .obj, .json, and .csv also have "
     "the arc, value, and length of each, and whether it is closed")
     ->required();
   add_json_option(*command, options.is_report_json);
@@ -209,7 +211,7 @@ void add_field_command(CLI::App& app, Field_options& options)
     ->required();
   add_threads_option(*command, options.number_of_threads);
   begin_group(*command, "Output");
-  add_file(*command, "--output", options.output_path, "Write the field to this file")->required();
+  add_output_files(*command, options.output_paths, "Write the field to these files; .npy for NumPy")->required();
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph field scan.ply --type harmonic --output harmonic.txt");
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_field(options); }); });
@@ -221,8 +223,10 @@ void add_handles_command(CLI::App& app, Handles_options& options)
   add_input_options(*command, options.input);
   add_field_option(*command, options.input, "; by default the coordinate x, y, or z that is least noisy");
   begin_group(*command, "Removal");
-  add_real_number(*command, "--remove-below", options.size_to_remove,
-                  "Remove the handles and tunnels with a loop shorter than this");
+  command->add_option_function<std::string>(
+    "--remove-below", [&options](const std::string& text) { options.size_to_remove = parse_size(text); },
+    "Remove the handles and tunnels with a loop shorter than this: X in units of length, or P% of the diagonal of the "
+    "box of the mesh");
   add_whole_number(*command, "--remove", options.number_to_remove, "Remove at most this many, the smallest first");
   begin_group(*command, "Output");
   add_file(*command, "--loops", options.loops_path,
@@ -231,12 +235,13 @@ void add_handles_command(CLI::App& app, Handles_options& options)
     "--no-shortening", [&options] { options.are_loops_shortened = false; }, "Do not shorten the loops");
   command->add_flag("--ignore-self-intersections", options.are_self_intersections_ignored,
                     "Tell handles from tunnels where triangles intersect too; it is not certain there");
-  add_file(*command, "--output", options.mesh_path,
-           "Write the mesh after the removal to this file, .off, .ply, .obj, .stl, or .vtp");
+  add_output_files(*command, options.output_paths,
+                   "Write the mesh after the removal to these files, .off, .ply, .obj, .stl, or .vtp; without a "
+                   "removal, write the loops, as --loops does");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
-  add_example(*command, "reeb_graph handles scan.ply --remove-below 0.5 --output clean.ply");
+  add_example(*command, "reeb_graph handles scan.ply --remove-below 5% --output clean.ply");
   command->callback([&options] { run_with_threads(options.number_of_threads, [&options] { run_handles(options); }); });
 }
 
@@ -261,9 +266,10 @@ void add_repair_command(CLI::App& app, Repair_command_options& options)
                     "and where no orientation agrees");
   command->add_flag("--largest", options.repair.is_largest_kept, "Keep the component with the most faces only");
   begin_group(*command, "Output");
-  add_file(*command, "--output", options.output_path,
-           "Write the mesh to this file, .off, .ply, .obj, .stl, or .vtp. PLY and VTP keep the fields of the vertices; "
-           "a merged vertex has those of the one with the lowest number")
+  add_output_files(
+    *command, options.output_paths,
+    "Write the mesh to these files, .off, .ply, .obj, .stl, or .vtp. PLY and VTP keep the fields of the vertices; a "
+    "merged vertex has those of the one with the lowest number")
     ->required();
   add_file(*command, "--map", options.map_path,
            "Write the new number of each vertex of MESH to this file, one per line, -1 if it is left out");
@@ -279,23 +285,18 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
   add_field_option(*command, options.input, "; by default the distance from a tip of each component");
   begin_group(*command, "Skeleton");
   add_real_number(
-    *command, "--prune", options.settings.pruning_ratio,
+    *command, "--pruning-ratio", options.settings.pruning_ratio,
     "Remove branches that stand out from the trunk by less than this share of its radius, 0.5 by default; "
     "those that lead to borders stay");
-  add_real_number(*command, "--step", options.settings.sampling_ratio,
+  add_real_number(*command, "--sampling-ratio", options.settings.sampling_ratio,
                   "The distance between points, as a share of the radius, 0.5 by default");
   command->add_flag_callback(
     "--fill-borders", [&options] { options.settings.are_borders_ends = false; },
     "Treat borders as if they were filled, so that they are not ends, as for a scan with holes");
   begin_group(*command, "Output");
-  const auto add_path = [&options](const std::vector<std::string>& paths) { options.output_paths = paths; };
-  command
-    ->add_option_function<std::vector<std::string>>(
-      "--output", add_path,
-      "Write the skeleton to this file, .swc (trees, in which each loop is cut once), .vtp, .polylines.txt, or "
-      ".graphml; can be given several times")
-    ->type_name("FILE")
-    ->allow_extra_args(false);
+  add_output_files(*command, options.output_paths,
+                   "Write the skeleton to these files, .swc (trees, in which each loop is cut once), .vtp, "
+                   ".polylines.txt, or .graphml");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
@@ -340,8 +341,6 @@ int main(int argc, char** argv)
   CLI::App app("Exact Reeb graphs of scalar fields on triangle meshes", "reeb_graph");
   app.formatter(std::make_shared<reeb_graph_program::Help_formatter>());
   app.require_subcommand(1);
-  app.footer("Options of a command:\n  reeb_graph compute --help\n");
-  add_example(app, "reeb_graph compute scan.ply --field z --html page.html");
   app.set_version_flag("--version", "reeb_graph " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
   Compute_options compute_options;
   Contour_options contour_options;
@@ -371,6 +370,9 @@ int main(int argc, char** argv)
   add_repair_command(app, repair_options);
   add_skeleton_command(app, skeleton_options);
   add_demo_command(app, demo_options);
+  // Commands that are added later would have it, too.
+  app.footer("Options of a command:\n  reeb_graph compute --help\n");
+  add_example(app, "reeb_graph compute scan.ply --field z --html page.html");
   try
   {
     run(app, argc, argv);

@@ -138,7 +138,7 @@ class ReebGraph:
         Parameters
         ----------
         threshold : float or str, optional
-            Removes what is less persistent, in units of the field, or as `'5%'`; `'auto'` is the threshold that the
+            Removes what is less persistent, in units of the field, or as `'5 %'`; `'auto'` is the threshold that the
             graph suggests, `counts["suggested_threshold"]`.
         percent : float, optional
             The same in percent of the range of the field.

@@ -127,7 +127,7 @@ def handles(
 
 
 def remove_handles(
-    triangles: Any, points: Any = None, *, below: float | None = None, number: int | None = None,
+    triangles: Any, points: Any = None, *, below: float | str | None = None, number: int | None = None,
     vertex_arrays: Mapping[str, Any] | None = None, ignore_self_intersections: bool = False,
     threads: int | None = None, progress: Progress = None,
 ) -> WithoutHandles:
@@ -135,8 +135,9 @@ def remove_handles(
 
     Parameters
     ----------
-    below : float, optional
-        Handles that are smaller are removed. The size is the length of the shorter loop of a pair.
+    below : float or str, optional
+        Handles that are smaller are removed. The size is the length of the shorter loop of a pair. `'5 %'` is a part of
+        the diagonal of the box of the mesh.
     number : int, optional
         At most so many are removed, the smallest ones. One of the two is needed.
     vertex_arrays : mapping from names to arrays with n rows, optional
@@ -150,7 +151,7 @@ def remove_handles(
     """
     if below is None and number is None:
         raise ValueError("below or number is needed")
-    size = np.inf if below is None else float(below)
+    size = below if below is None or isinstance(below, str) else float(below)
     most = _arrays.count_of(number, "number", 0)
     mesh = _take(triangles, points)
     given, columns = _take_columns(vertex_arrays, len(mesh.points))

@@ -106,16 +106,23 @@ auto running(Result (*work)(Graph_of_arrays&, Arguments...))
   };
 }
 
-// With a threshold in units of the field, or as the program reads it, or a number of leaves.
+// In units, or as the program reads it.
+typedef std::optional<std::variant<double, std::string>> Number_or_text;
+
+std::optional<Threshold> threshold_of(const Number_or_text& given, Threshold (*parse)(const std::string&))
+{
+  if(!given)
+    return std::nullopt;
+  return given->index() == 0 ? Threshold{std::get<double>(*given), false, false} : parse(std::get<std::string>(*given));
+}
+
+// With a threshold, or a number of leaves.
 Graph_pointer simplify(Graph_of_arrays& graph,
-                       std::optional<std::variant<double, std::string>> threshold,
+                       Number_or_text threshold,
                        std::optional<std::size_t> leaves,
                        bool are_loops_cancelled)
 {
-  Simplification_options options{std::nullopt, leaves, are_loops_cancelled};
-  if(threshold)
-    options.threshold = threshold->index() == 0 ? Threshold{std::get<double>(*threshold), false, false}
-                                                : parse_threshold(std::get<std::string>(*threshold));
+  const Simplification_options options{threshold_of(threshold, &parse_threshold), leaves, are_loops_cancelled};
   auto simplified = graph.mesh_graph->simplify(
     options, threshold_in_units(options, graph.input->mesh.surface, graph.input->scalar_map));
   return std::make_shared<Graph_of_arrays>(
@@ -425,7 +432,7 @@ py::object handles(const Mesh_arrays& arrays,
 py::object remove(const Mesh_arrays& arrays,
                   std::size_t number_of_vertices,
                   const std::vector<Value_array>& vertex_arrays,
-                  double size,
+                  const Number_or_text& size,
                   std::size_t number,
                   bool are_self_intersections_ignored,
                   Run& run)
@@ -438,7 +445,8 @@ py::object remove(const Mesh_arrays& arrays,
     mesh = make_surface(soup, "removing handles");
     properties = add_vertex_arrays(mesh.surface, vertex_arrays);
     const Scalar_map unused = add_map(mesh.surface, "v:scalar", nullptr);
-    removals = remove_handles(mesh.surface, unused, properties, size, number, are_self_intersections_ignored);
+    removals = remove_handles(mesh.surface, unused, properties, threshold_of(size, &parse_size), number,
+                              are_self_intersections_ignored);
   });
   py::list rows;
   for(const Removal_row& row : removals)

@@ -31,6 +31,7 @@ def test_simplify_as_the_program(tmp_path, torus):
         ((0.8,), {}, ["--simplify", "0.8"]),
         (("10%",), {}, ["--simplify", "10%"]),
         ((), {"percent": 30}, ["--simplify", "30%"]),
+        (("30 %",), {}, ["--simplify", "30 %"]),
         ((), {"leaves": 4}, ["--leaves", "4"]),
         ((3,), {"cancel_loops": True}, ["--simplify", "3", "--cancel-loops"]),
     ):

@@ -93,6 +93,10 @@ def test_removal(tmp_path):
         assert getattr(removal, key) == row[key]
     assert np.array_equal(removal.vertices, row["vertices"]) and np.array_equal(removal.box, row["box"])
     assert [loop.component for loop in reeb_graph.handles(cut.triangles, cut.points).loops] == [0, 0]
+    percents = 200 / np.linalg.norm(np.ptp(points, axis=0))
+    for below in (f"{percents!r}%", f"{percents!r} %"):
+        assert len(reeb_graph.remove_handles(triangles, points, below=below).removals) == 1
+    assert not reeb_graph.remove_handles(triangles, points, below="0 %").removals
     assert len(reeb_graph.remove_handles(triangles, points, number=0).removals) == 0
     assert len(reeb_graph.remove_handles(triangles, points, number=2).removals) == 2
     spike = reeb_graph.remove_handles(TRIANGLES, spiked(1), below=7)  # which is not told apart by sides
@@ -106,6 +110,8 @@ def test_errors():
         reeb_graph.remove_handles(TRIANGLES, POINTS)
     with pytest.raises(ValueError, match="negative"):
         reeb_graph.remove_handles(TRIANGLES, POINTS, below=-1)
+    with pytest.raises(ValueError, match="neither a number nor a percentage"):
+        reeb_graph.remove_handles(TRIANGLES, POINTS, below="5x")
     with pytest.raises(TypeError):
         reeb_graph.remove_handles(TRIANGLES, POINTS, number=1.5)
     with pytest.raises(ValueError, match="oriented manifold surface"):

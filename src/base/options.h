@@ -82,7 +82,7 @@ struct Cut_options
 };
 
 // A threshold of the persistence of branches and loops, in units of the field or in percent of its range, or the one
-// that the graph suggests.
+// that the graph suggests. Or one of the size of handles, in units of length or in percent of the diagonal of the mesh.
 struct Threshold
 {
   double number = 0;

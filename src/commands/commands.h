@@ -50,7 +50,7 @@ struct Contour_options
 {
   Input_options input;
   Contour_choice choice;
-  std::string output_path;
+  std::vector<std::string> output_paths;
   bool is_report_json = false;
 };
 
@@ -76,7 +76,7 @@ struct Curves_options
 struct Field_options
 {
   Input_options input;
-  std::string output_path;
+  std::vector<std::string> output_paths;
   bool is_report_json = false;
   std::size_t number_of_threads = 0; // 0: one per core
 };
@@ -85,9 +85,9 @@ struct Handles_options
 {
   Input_options input;
   std::string loops_path;                      // files are empty if they are not written
-  std::optional<double> size_to_remove;        // handles that are smaller are removed
+  std::optional<Threshold> size_to_remove;     // handles that are smaller are removed
   std::optional<std::size_t> number_to_remove; // so many at most, the smallest ones
-  std::string mesh_path;                       // without the handles
+  std::vector<std::string> output_paths;       // meshes without the handles; loops if none are to be removed
   std::string page_path, unit, up;
   bool are_loops_shortened = true;
   bool are_self_intersections_ignored = false;
@@ -100,7 +100,8 @@ struct Repair_command_options
   std::string mesh_path;
   bool are_faces_triangulated = false;
   Repair_options repair;
-  std::string output_path, map_path; // the map is empty if it is not written
+  std::vector<std::string> output_paths;
+  std::string map_path; // empty if it is not written
   bool is_report_json = false;
 };
 

@@ -17,9 +17,11 @@
 #include "output/report_output.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -50,8 +52,10 @@ void note_empty_levels(const std::vector<double>& levels, const std::vector<Cont
 void run_contour(const Contour_options& options)
 {
   check_choice(options.choice);
-  check_contour_format(options.output_path);
-  check_outputs({options.output_path}, input_files(options.input));
+  const std::vector<std::filesystem::path> outputs(options.output_paths.begin(), options.output_paths.end());
+  for(const std::string& path : options.output_paths)
+    check_contour_format(path);
+  check_outputs(outputs, input_files(options.input));
   check_simplification_options(options.choice.simplification);
   Contours_report report;
   Mesh mesh = read_mesh(options.input, report);
@@ -59,7 +63,8 @@ void run_contour(const Contour_options& options)
     throw Input_error(options.input.mesh_path, "there are triangles that are faces of no tetrahedron: contours of such "
                                                "a mesh are neither polylines nor triangles");
   const bool has_tetrahedra = mesh.complex && !mesh.complex->tetrahedra.empty();
-  check_contour_format(options.output_path, has_tetrahedra);
+  for(const std::string& path : options.output_paths)
+    check_contour_format(path, has_tetrahedra);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
   const Contour_choice& choice = options.choice;
   Report graph_report;
@@ -67,10 +72,13 @@ void run_contour(const Contour_options& options)
     compute_mesh_graph(mesh, scalar_map, choice.graph, choice.simplification,
                        threshold_in_units(choice.simplification, mesh.surface, scalar_map), graph_report)
       ->find_contours(choice);
-  write_contours(options.output_path, contours, has_tetrahedra);
+  Output_group files;
+  for(const std::string& path : options.output_paths)
+    write_contours(path, contours, has_tetrahedra);
+  files.put_in_place();
   note_empty_levels(choice.levels, contours, report);
   report.contours = contours.size();
-  std::ostream& stream = report_stream({options.output_path});
+  std::ostream& stream = report_stream(outputs);
   if(options.is_report_json)
     write_json(stream, report);
   else

@@ -264,7 +264,7 @@ Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& op
 {
   std::vector<Any_vertex_property> properties;
   if(!options.cut_mesh_path.empty())
-    properties = properties_to_keep(options.input.mesh_path, options.cut_mesh_path, surface, report.notes);
+    properties = properties_to_keep(options.input.mesh_path, {options.cut_mesh_path}, surface, report.notes);
   if(options.cut.type == Curves_type::DISKS)
   {
     if(is_field_needed(options))

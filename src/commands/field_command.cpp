@@ -13,21 +13,29 @@
 #include "output/output_file.h"
 #include "output/report_output.h"
 
+#include <filesystem>
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 void run_field(const Field_options& options)
 {
-  check_outputs({options.output_path}, input_files(options.input));
-  check_numbers_format(options.output_path);
+  const std::vector<std::filesystem::path> outputs(options.output_paths.begin(), options.output_paths.end());
+  check_outputs(outputs, input_files(options.input));
+  for(const std::string& path : options.output_paths)
+    check_numbers_format(path);
   Work_report report;
   Mesh mesh = read_mesh(options.input, report);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
   const Stopwatch stopwatch;
-  write_scalars(options.output_path, mesh.surface, scalar_map);
+  Output_group files;
+  for(const std::string& path : options.output_paths)
+    write_scalars(path, mesh.surface, scalar_map);
+  files.put_in_place();
   report.add_seconds("output", stopwatch.seconds());
   const Field_range range(scalar_map.begin(), scalar_map.end());
-  std::ostream& stream = report_stream({options.output_path});
+  std::ostream& stream = report_stream(outputs);
   if(options.is_report_json)
     write_json(stream, range, report);
   else

@@ -42,20 +42,24 @@ Scalar_map add_field_or_height(Input_options input, Surface& surface, Handles_re
   return scalar_map;
 }
 
+bool is_any_removed(const Handles_options& options) { return options.size_to_remove || options.number_to_remove; }
+
 std::vector<std::filesystem::path> check_options(const Handles_options& options)
 {
   if(!options.loops_path.empty())
     check_loops_format(options.loops_path);
   check_page(options.page_path, options.up);
-  if(options.size_to_remove && !(*options.size_to_remove >= 0))
-    throw std::runtime_error("--remove-below must not be negative or NaN");
-  const bool is_any_removed = options.size_to_remove || options.number_to_remove;
-  if(!options.mesh_path.empty())
-    check_mesh_format(options.mesh_path);
-  if(is_any_removed == options.mesh_path.empty())
-    throw std::runtime_error(is_any_removed ? "--remove-below and --remove go with --output"
-                                            : "--output goes with --remove-below or --remove");
-  const std::vector<std::filesystem::path> outputs = {options.loops_path, options.mesh_path, options.page_path};
+  std::vector<std::filesystem::path> outputs = {options.loops_path, options.page_path};
+  if(is_any_removed(options) && options.output_paths.empty())
+    throw std::runtime_error("--remove-below and --remove go with --output");
+  for(const std::string& path : options.output_paths)
+  {
+    if(is_any_removed(options))
+      check_mesh_format(path);
+    else
+      check_loops_format(path, "loops (a mesh goes with --remove-below or --remove)");
+    outputs.emplace_back(path);
+  }
   check_outputs(outputs, input_files(options.input));
   return outputs;
 }
@@ -64,9 +68,8 @@ void remove(const Handles_options& options, Surface& surface, Scalar_map scalar_
 {
   const Stopwatch stopwatch;
   report.removals = remove_handles(
-    surface, scalar_map, properties_to_keep(options.input.mesh_path, options.mesh_path, surface, report.notes),
-    options.size_to_remove.value_or(std::numeric_limits<double>::infinity()),
-    options.number_to_remove.value_or((std::numeric_limits<std::size_t>::max)()),
+    surface, scalar_map, properties_to_keep(options.input.mesh_path, options.output_paths, surface, report.notes),
+    options.size_to_remove, options.number_to_remove.value_or((std::numeric_limits<std::size_t>::max)()),
     options.are_self_intersections_ignored);
   report.add_seconds("removal", stopwatch.seconds());
 }
@@ -104,7 +107,7 @@ void run_handles(const Handles_options& options)
   const Stopwatch field_stopwatch;
   const Scalar_map scalar_map = add_field_or_height(options.input, surface, report);
   report.add_seconds("field", field_stopwatch.seconds());
-  if(!options.mesh_path.empty())
+  if(is_any_removed(options))
     remove(options, surface, scalar_map, report);
   const Stopwatch stopwatch;
   const Loops_of_surface loops =
@@ -115,15 +118,18 @@ void run_handles(const Handles_options& options)
     report.self_intersections = loops.self_intersections;
   const Stopwatch output_stopwatch;
   Output_group files;
-  if(!options.mesh_path.empty())
-    write_surface(options.mesh_path, surface, report.notes);
+  for(const std::string& path : options.output_paths)
+    if(is_any_removed(options))
+      write_surface(path, surface, report.notes);
+    else
+      write_loops(path, loops);
   if(!options.loops_path.empty())
     write_loops(options.loops_path, loops);
   if(!options.page_path.empty())
     write_page_of_loops(options, mesh, scalar_map, loops, report.field);
   files.put_in_place();
   note_lost_unit(options.unit, !options.page_path.empty(), report.notes);
-  if(!options.mesh_path.empty() || !options.loops_path.empty() || !options.page_path.empty())
+  if(!options.output_paths.empty() || !options.loops_path.empty() || !options.page_path.empty())
     report.add_seconds("output", output_stopwatch.seconds());
   if(options.is_report_json)
     write_json(report_stream(outputs), report);

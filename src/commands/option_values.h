@@ -112,6 +112,23 @@ CLI::Option* add_file(CLI::App& command, const std::string& name, Path& path, co
   return command.add_option(name, path, description)->check(is_not_empty());
 }
 
+// --output, which takes one file or several. The last of several is the mesh if no other one is named.
+inline CLI::Option* add_output_files(CLI::App& command, std::vector<std::string>& paths, const std::string& description)
+{
+  CLI::Option* const mesh = command.get_option("MESH");
+  const auto set = [&paths, mesh](const std::vector<std::string>& given) {
+    paths = given;
+    if(mesh->count() > 0 || paths.size() < 2)
+      return;
+    mesh->add_result(paths.back());
+    mesh->run_callback();
+    paths.pop_back();
+  };
+  return command.add_option_function<std::vector<std::string>>("--output", set, description)
+    ->type_name("FILE")
+    ->check(is_not_empty());
+}
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_OPTION_VALUES_H

@@ -59,10 +59,12 @@ void add_fields(const Repair_command_options& options,
                 Surface& surface,
                 Repair_report& report)
 {
-  const bool has_room = has_room_for_numbers(options.output_path);
-  report.lost_fields = fields_not_kept(options.mesh_path, has_room);
-  note_lost_parts(options.output_path, options.mesh_path, report.notes);
-  if(!has_room)
+  const std::vector<std::string>& outputs = options.output_paths;
+  report.lost_fields =
+    fields_not_kept(options.mesh_path, std::all_of(outputs.begin(), outputs.end(), has_room_for_numbers));
+  for(const std::string& output : outputs)
+    note_lost_parts(output, options.mesh_path, report.notes);
+  if(std::none_of(outputs.begin(), outputs.end(), has_room_for_numbers))
     return;
   Surface given;
   for(std::size_t i = 0; i < result.new_vertices.size(); ++i)
@@ -89,8 +91,12 @@ std::vector<std::int64_t> map_of(const std::vector<std::size_t>& new_vertices)
 
 void run_repair(const Repair_command_options& options)
 {
-  check_mesh_format(options.output_path);
-  const std::vector<std::filesystem::path> outputs = {options.output_path, options.map_path};
+  std::vector<std::filesystem::path> outputs = {options.map_path};
+  for(const std::string& path : options.output_paths)
+  {
+    check_mesh_format(path);
+    outputs.emplace_back(path);
+  }
   check_outputs(outputs, input_files(options.mesh_path, ""));
   check_numbers_format(options.map_path);
   Repair_report report;
@@ -117,7 +123,8 @@ void run_repair(const Repair_command_options& options)
   report.add_seconds("repair", repair_stopwatch.seconds());
   const Stopwatch output_stopwatch;
   Output_group files;
-  write_surface(options.output_path, surface, report.notes);
+  for(const std::string& path : options.output_paths)
+    write_surface(path, surface, report.notes);
   if(!options.map_path.empty())
     write_integers(options.map_path, map_of(result.new_vertices));
   files.put_in_place();

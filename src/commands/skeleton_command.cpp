@@ -8,7 +8,6 @@
 
 #include "base/stopwatch.h"
 #include "commands/commands.h"
-#include "computation/Mesh_graph.h"
 #include "computation/skeleton.h"
 #include "input/field_input.h"
 #include "output/graph_output.h"
@@ -38,33 +37,11 @@ std::vector<std::filesystem::path> check_options(const Skeleton_command_options&
   check_page(options.page_path, options.up);
   outputs.emplace_back(options.page_path);
   if(!(options.settings.pruning_ratio >= 0))
-    throw std::runtime_error("--prune must not be negative or NaN");
+    throw std::runtime_error("--pruning-ratio must not be negative or NaN");
   if(!(options.settings.sampling_ratio >= 0.01 && options.settings.sampling_ratio <= 100))
-    throw std::runtime_error("--step has to be from 0.01 to 100");
+    throw std::runtime_error("--sampling-ratio has to be from 0.01 to 100");
   check_outputs(outputs, input_files(options.input));
   return outputs;
-}
-
-// The page shows the lines in the surface, beside the Reeb graph of the field, by default of distances.
-void write_page_of_skeleton(const Skeleton_command_options& options,
-                            const Mesh& mesh,
-                            Scalar_map scalar_map,
-                            const Skeleton_report& report)
-{
-  Graph_options graph_options;
-  graph_options.are_places_wanted = true;
-  Report unused;
-  const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
-  const auto& known = report.skeleton.certificate;
-  Page_request request = {scalar_map,
-                          *graph,
-                          name_of_input(options.input.mesh_path) + ": skeleton with "
-                            + count(known.number_of_ends, "end") + ", " + count(known.number_of_loops, "loop"),
-                          {report.field, options.unit}};
-  request.up = options.up;
-  request.curves = polylines_of(report.skeleton);
-  request.is_graph_shown = false; // Its unpruned lines would hide them.
-  write_page(options.page_path, request);
 }
 
 } // namespace
@@ -76,18 +53,17 @@ void run_skeleton(const Skeleton_command_options& options)
   Input_options input = options.input;
   if(!has_field(input))
     input.field = "geodesic";
-  Mesh mesh = {read_surface(input, report), std::nullopt};
+  Surface surface = read_surface(input, report);
   std::optional<Scalar_map> scalar_map;
-  if(has_field(options.input) || !options.page_path.empty())
+  if(has_field(options.input))
   {
     const Stopwatch stopwatch;
-    scalar_map = add_field(input, mesh.surface, report);
+    scalar_map = add_field(input, surface, report);
     report.add_seconds("field", stopwatch.seconds());
   }
   report.field = has_field(options.input) ? field_label(input, "").name : "distance from a tip";
   const Stopwatch stopwatch;
-  report.skeleton =
-    extract_skeleton(mesh.surface, has_field(options.input) ? scalar_map : std::nullopt, options.settings);
+  report.skeleton = extract_skeleton(surface, scalar_map, options.settings);
   report.add_seconds("skeleton", stopwatch.seconds());
   const Stopwatch output_stopwatch;
   Output_group files;
@@ -97,7 +73,13 @@ void run_skeleton(const Skeleton_command_options& options)
     note_lost_parts(path, report.skeleton, report.notes);
   }
   if(!options.page_path.empty())
-    write_page_of_skeleton(options, mesh, *scalar_map, report);
+  {
+    const auto& known = report.skeleton.certificate;
+    write_page(options.page_path, {surface, report.skeleton,
+                                   name_of_input(options.input.mesh_path) + ": skeleton with "
+                                     + count(known.number_of_ends, "end") + ", " + count(known.number_of_loops, "loop"),
+                                   options.unit, options.up});
+  }
   files.put_in_place();
   note_lost_unit(options.unit, !options.page_path.empty(), report.notes);
   if(!options.output_paths.empty() || !options.page_path.empty())

@@ -45,6 +45,27 @@ double total_persistence(const Surface& surface, Scalar_map scalar_map)
   return sum;
 }
 
+double size_in_units(const std::optional<Threshold>& size, const Surface& surface)
+{
+  if(!size)
+    return std::numeric_limits<double>::infinity();
+  if(!size->is_percentage)
+    return size->number;
+  std::array<double, 3> extents = {};
+  for(int k = 0; k != 3; ++k)
+  {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for(const Surface::Vertex_index v : surface.vertices())
+      if(!surface.is_isolated(v))
+      {
+        low = (std::min)(low, surface.point(v)[k]);
+        high = (std::max)(high, surface.point(v)[k]);
+      }
+    extents[static_cast<std::size_t>(k)] = (std::max)(high - low, 0.);
+  }
+  return size->number / 100 * std::hypot(extents[0], extents[1], extents[2]);
+}
+
 void write_coordinate(const Surface& surface, Scalar_map scalar_map, int coordinate)
 {
   for(const Surface::Vertex_index v : surface.vertices())
@@ -80,7 +101,7 @@ Loop_place place_of(const Polyline& polyline)
 std::vector<Removal_row> remove_handles(Surface& surface,
                                         Scalar_map scalar_map,
                                         const std::vector<Any_vertex_property>& properties,
-                                        double size,
+                                        const std::optional<Threshold>& size,
                                         std::size_t number,
                                         bool are_self_intersections_ignored)
 {
@@ -91,7 +112,7 @@ std::vector<Removal_row> remove_handles(Surface& surface,
   Progress_bar progress_bar("removal");
   std::vector<Removal_row> result;
   for(const auto& handle : CGAL::Reeb_graph::remove_handles<CGAL::Parallel_if_available_tag>(
-        surface, size,
+        surface, size_in_units(size, surface),
         CGAL::parameters::number_of_handles(number)
           .ignore_self_intersections(are_self_intersections_ignored)
           .visitor(visitor)

@@ -9,10 +9,12 @@
 #ifndef CGAL_REEB_GRAPH_SRC_HANDLES_H
 #define CGAL_REEB_GRAPH_SRC_HANDLES_H
 
+#include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,11 +29,12 @@ struct Loops_of_surface
 // The place of a closed polyline, without vertices.
 Loop_place place_of(const Polyline& polyline);
 
-// Removes the handles that are smaller than a size, at most so many, the smallest ones. Properties are carried over.
+// Removes the handles that are smaller than a size, if one is given, at most so many, the smallest ones. Properties are
+// carried over. Percents are those of the diagonal of the box of the faces.
 std::vector<Removal_row> remove_handles(Surface& surface,
                                         Scalar_map scalar_map,
                                         const std::vector<Any_vertex_property>& properties,
-                                        double size,
+                                        const std::optional<Threshold>& size,
                                         std::size_t number,
                                         bool are_self_intersections_ignored);
 

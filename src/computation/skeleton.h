@@ -50,6 +50,17 @@ struct Arc_place
 };
 std::vector<Arc_place> places_of_arcs(const Skeleton& skeleton);
 
+// What tables say of an arc. Radii are means by length, but for the least and the greatest one.
+struct Skeleton_arc_row
+{
+  std::size_t from, to, component;
+  double length = 0, radius = 0, least_radius = 0, greatest_radius = 0, inscribed_radius = 0;
+};
+std::vector<Skeleton_arc_row> rows_of_arcs(const Skeleton& skeleton);
+
+// The distance of each point along the lines from a root of its component, an end if there is one.
+std::vector<double> distances_along_lines(const Skeleton& skeleton);
+
 // The points of each arc.
 std::vector<Polyline> polylines_of(const Skeleton& skeleton);
 

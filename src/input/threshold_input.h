@@ -17,6 +17,9 @@ namespace reeb_graph_program {
 // Reads a threshold: a number that is not negative, a percentage, P%, or auto. Throws std::runtime_error.
 Threshold parse_threshold(const std::string& text);
 
+// Reads a length: a number that is not negative, or a percentage of another length, P%. Throws std::runtime_error.
+Threshold parse_size(const std::string& text);
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_THRESHOLD_INPUT_H

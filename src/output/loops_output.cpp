@@ -22,9 +22,9 @@
 
 namespace reeb_graph_program {
 namespace {
-std::string format_of_loops(const std::filesystem::path& path)
+std::string format_of_loops(const std::filesystem::path& path, const std::string& contents = "loops")
 {
-  return ending_of(path, "loops", {".vtp", ".obj", ".polylines.txt"});
+  return ending_of(path, contents, {".vtp", ".obj", ".polylines.txt"});
 }
 
 // Each loop is a line; its first point is not repeated.
@@ -94,7 +94,10 @@ void write_obj_of_loops(std::ostream& out, const Loops_of_surface& loops)
 
 } // namespace
 
-void check_loops_format(const std::filesystem::path& path) { format_of_loops(path); }
+void check_loops_format(const std::filesystem::path& path, const std::string& contents)
+{
+  format_of_loops(path, contents);
+}
 
 void write_loops(const std::filesystem::path& path, const Loops_of_surface& loops)
 {

@@ -12,10 +12,11 @@
 #include "computation/handles.h"
 
 #include <filesystem>
+#include <string>
 
 namespace reeb_graph_program {
-// Throws std::runtime_error if the file name ends in none of .vtp, .obj, and .polylines.txt.
-void check_loops_format(const std::filesystem::path& path);
+// Throws std::runtime_error, which calls loops so, if the file name ends in none of .vtp, .obj, and .polylines.txt.
+void check_loops_format(const std::filesystem::path& path, const std::string& contents = "loops");
 
 void write_loops(const std::filesystem::path& path, const Loops_of_surface& loops);
 

@@ -304,14 +304,17 @@ void note_lost_parts(const std::filesystem::path& path, const std::string& input
 }
 
 std::vector<Any_vertex_property> properties_to_keep(const std::string& input,
-                                                    const std::filesystem::path& output,
+                                                    const std::vector<std::string>& outputs,
                                                     Surface& surface,
                                                     Notes& notes)
 {
-  const bool has_room = has_room_for_numbers(output);
-  note_left_out(output, fields_not_kept(input, has_room), notes);
-  note_lost_parts(output, input, notes);
-  return has_room ? read_vertex_properties(input, surface) : std::vector<Any_vertex_property>();
+  for(const std::string& output : outputs)
+  {
+    note_left_out(output, fields_not_kept(input, has_room_for_numbers(output)), notes);
+    note_lost_parts(output, input, notes);
+  }
+  const bool is_any_kept = std::any_of(outputs.begin(), outputs.end(), has_room_for_numbers);
+  return is_any_kept ? read_vertex_properties(input, surface) : std::vector<Any_vertex_property>();
 }
 
 void write_surface(const std::filesystem::path& path, const Surface& surface, Notes& notes)

@@ -71,10 +71,10 @@ void write_surface_with_patches(const std::filesystem::path& path, Surface surfa
 // Whether the format has room for numbers of vertices and faces.
 bool has_room_for_numbers(const std::filesystem::path& path);
 
-// The fields of the vertices of the input, if the file that is going to be written has room for them, and else none. Notes
-// what is left out.
+// The fields of the vertices of the input, if one of the files that are going to be written has room for them, and else
+// none. Notes what is left out.
 std::vector<Any_vertex_property> properties_to_keep(const std::string& input,
-                                                    const std::filesystem::path& output,
+                                                    const std::vector<std::string>& outputs,
                                                     Surface& surface,
                                                     Notes& notes);
 

@@ -10,54 +10,11 @@
 #include "output/report_parts.h"
 #include "output/skeleton_output.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <ostream>
 
 namespace reeb_graph_program {
-namespace {
-// What the table says of an arc. The radii are means by length.
-struct Skeleton_arc_row
-{
-  std::size_t from, to, component;
-  double length = 0, radius = 0, least_radius = 0, greatest_radius = 0, inscribed_radius = 0;
-};
-
-Skeleton_arc_row row_of(const Skeleton& skeleton, const std::vector<std::size_t>& arc, std::size_t component)
-{
-  Skeleton_arc_row row = {arc.front(), arc.back(), component};
-  row.least_radius = row.greatest_radius = skeleton.radii[arc.front()];
-  for(std::size_t i = 1; i != arc.size(); ++i)
-  {
-    const std::size_t a = arc[i - 1], b = arc[i];
-    const double length = std::sqrt(CGAL::squared_distance(skeleton.points[a], skeleton.points[b]));
-    row.length += length;
-    row.radius += length * (skeleton.radii[a] + skeleton.radii[b]) / 2;
-    row.inscribed_radius += length * (skeleton.inscribed_radii[a] + skeleton.inscribed_radii[b]) / 2;
-    row.least_radius = std::min(row.least_radius, skeleton.radii[b]);
-    row.greatest_radius = std::max(row.greatest_radius, skeleton.radii[b]);
-  }
-  if(row.length > 0)
-  {
-    row.radius /= row.length;
-    row.inscribed_radius /= row.length;
-  }
-  return row;
-}
-
-std::vector<Skeleton_arc_row> rows_of(const Skeleton& skeleton)
-{
-  const std::vector<Arc_place> places = places_of_arcs(skeleton);
-  std::vector<Skeleton_arc_row> rows;
-  for(std::size_t arc = 0; arc != skeleton.arcs.size(); ++arc)
-    rows.push_back(row_of(skeleton, skeleton.arcs[arc], places[arc].component));
-  return rows;
-}
-
-} // namespace
-
 void write_text(std::ostream& out, const Skeleton_report& report)
 {
   const auto& known = report.skeleton.certificate;
@@ -78,7 +35,7 @@ void write_text(std::ostream& out, const Skeleton_report& report)
       << "\n  arc   from     to          length     mean radius    least radius greatest radius  mean inscribed  "
          "component\n";
   std::size_t number = 0;
-  for(const Skeleton_arc_row& row : rows_of(report.skeleton))
+  for(const Skeleton_arc_row& row : rows_of_arcs(report.skeleton))
   {
     out << std::setw(5) << number++ << std::setw(7) << row.from << std::setw(7) << row.to;
     for(const double x : {row.length, row.radius, row.least_radius, row.greatest_radius, row.inscribed_radius})
@@ -105,7 +62,7 @@ void write_json(std::ostream& out, const Skeleton_report& report)
   json["self_intersecting"] = known.number_of_crossing_components != 0;
   json["self_intersecting_components"] = known.number_of_crossing_components;
   json["arcs"] = nlohmann::ordered_json::array();
-  for(const Skeleton_arc_row& row : rows_of(report.skeleton))
+  for(const Skeleton_arc_row& row : rows_of_arcs(report.skeleton))
     json["arcs"].push_back({{"from", row.from},
                             {"to", row.to},
                             {"component", row.component},

@@ -14,7 +14,11 @@ const kindColors = {
   saddle: [0.941, 0.894, 0.259],
   maximum: [0.835, 0.369, 0],
   "degree-two": [0, 0.62, 0.451],
-  isolated: [0.8, 0.475, 0.655]
+  isolated: [0.8, 0.475, 0.655],
+  // those of a skeleton
+  end: [0.835, 0.369, 0],
+  junction: [0.941, 0.894, 0.259],
+  loop: [0.8, 0.475, 0.655]
 };
 
 // The colours of loops by kind.

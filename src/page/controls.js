@@ -72,9 +72,9 @@ function setUpPatches(page) {
   })), number => scene.setLitPatch(number));
 }
 
-// Where there are handles, or lines of a skeleton, the graph is hidden at first, as it lies on them.
+// Where there are handles, the graph is hidden at first, as it lies on them.
 function setUpGraph({scene, data}) {
-  element("show_graph").checked = data.isGraphShown && !data.loops.some(loop => loop.kind === "handle");
+  element("show_graph").checked = !data.loops.some(loop => loop.kind === "handle");
   scene.setLayers({graph: element("show_graph").checked, curves: true});
 }
 
@@ -109,6 +109,7 @@ function setUpForm(page) {
   element("patches_label").hidden = !data.surface.facePatches;
   element("curves_label").hidden = data.curves.length === 0;
   element("level_label").hidden = data.levels.length < 2;
+  element("place_label").hidden = data.skeleton !== null; // Lines have no contours.
   element("level").max = data.levels.length - 1;
   addTicks(data.ticks);
   document.querySelectorAll("input[name=coloring]").forEach(input =>

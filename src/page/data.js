@@ -84,6 +84,7 @@ function readPageData(text) {
   return {
     title: data.title,
     generator: data.generator,
+    skeleton: data.skeleton, // its counts, or null for a Reeb graph
     field: data.field,
     surface,
     range,
@@ -92,7 +93,6 @@ function readPageData(text) {
     // The number of arcs of the graph that was asked for, if that is too large for a page and has been simplified.
     arcsOfInput: data.graph.is_simplified ? data.graph.arcs_of_input : null,
     threshold: data.graph.threshold,
-    isGraphShown: data.graph.is_shown !== false, // at first
     levels: data.levels.map(level => decodeLevel(level, range, data.columns)),
     curves: data.curves.map(decodePolyline),
     // What the curves are, if they are handles, tunnels and the like.

@@ -12,7 +12,6 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,9 +34,9 @@ std::int32_t page_place(std::size_t place, std::size_t number_of_nodes)
 }
 
 // Shows these faces with their corners, and the isolated vertices.
-Display_surface show(const Page_subject& subject, const Page_frame& frame, Shown_faces faces)
+Display_surface show(const Shown_surface& shown, const Page_frame& frame, Shown_faces faces)
 {
-  const Surface& surface = subject.surface();
+  const Surface& surface = shown.surface;
   Display_surface result;
   constexpr std::uint32_t left_out = (std::numeric_limits<std::uint32_t>::max)();
   result.new_numbers.assign(surface.number_of_vertices() + surface.number_of_removed_vertices(), left_out);
@@ -50,8 +49,8 @@ Display_surface show(const Page_subject& subject, const Page_frame& frame, Shown
     result.new_numbers[v.idx()] = static_cast<std::uint32_t>(result.values.size());
     for(int i = 0; i != 3; ++i)
       result.positions.push_back(static_cast<float>(surface.point(v)[i] - frame.origin[i]));
-    result.values.push_back(subject.scalar_map[v]);
-    result.vertex_arcs.push_back(page_place(subject.places[v.idx()], num_vertices(subject.graph())));
+    result.values.push_back(shown.scalar_map[v]);
+    result.vertex_arcs.push_back(page_place(shown.places[v.idx()], shown.number_of_nodes));
   }
   for(std::uint32_t& corner : faces.corners)
     corner = result.new_numbers[corner];
@@ -95,17 +94,13 @@ std::array<double, 3> Page_frame::coordinates(const Point& point) const
   return result;
 }
 
-Display_surface display_surface(const Page_subject& subject, const Page_frame& frame)
+Display_surface display_surface(const Shown_surface& shown, const Page_frame& frame)
 {
   constexpr std::size_t largest_number_of_faces = 200000;
-  const Surface& surface = subject.surface();
-  if(surface.number_of_faces() <= largest_number_of_faces)
-    return show(subject, frame, all_faces(surface, subject.patch_map));
-  std::vector<Surface::Vertex_index> node_vertices;
-  for(const auto node : CGAL::make_range(vertices(subject.graph())))
-    node_vertices.push_back(subject.graph()[node].vertex);
+  if(shown.surface.number_of_faces() <= largest_number_of_faces)
+    return show(shown, frame, all_faces(shown.surface, shown.patch_map));
   Display_surface result =
-    show(subject, frame, decimate(surface, largest_number_of_faces, node_vertices, subject.patch_map));
+    show(shown, frame, decimate(shown.surface, largest_number_of_faces, shown.vertices_to_keep, shown.patch_map));
   result.is_decimated = true;
   result.new_numbers.clear();
   return result;

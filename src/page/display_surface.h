@@ -10,7 +10,6 @@
 #define CGAL_REEB_GRAPH_SRC_DISPLAY_SURFACE_H
 
 #include "base/surface.h"
-#include "page/page_data.h"
 
 #include <array>
 #include <cstddef>
@@ -33,6 +32,17 @@ struct Page_frame
   double digits = 1; // a power of ten: the coordinates are rounded to multiples of its inverse
 };
 
+// A surface, its field, and where its vertices are in a graph.
+struct Shown_surface
+{
+  const Surface& surface;
+  Scalar_map scalar_map;
+  const std::vector<std::size_t>& places; // of the vertices, by their indices: nodes, and then arcs
+  std::size_t number_of_nodes;
+  std::vector<Surface::Vertex_index> vertices_to_keep;
+  std::optional<Patch_map> patch_map;
+};
+
 // The surface as the page shows it.
 struct Display_surface
 {
@@ -46,7 +56,7 @@ struct Display_surface
 };
 
 // A surface of more than 200000 faces is decimated.
-Display_surface display_surface(const Page_subject& subject, const Page_frame& frame);
+Display_surface display_surface(const Shown_surface& shown, const Page_frame& frame);
 
 } // namespace reeb_graph_program
 

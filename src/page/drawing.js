@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global makePlaneScale, niceTicks, formatNumber, kindColors, toHex */
+/* global element, makePlaneScale, niceTicks, formatNumber, kindColors, toHex */
 /* exported Drawing, makeNodeShape */
 
 // The drawing of the graph in the plane, with an axis of values.
@@ -30,6 +30,7 @@ function makeNodeShape(kind, x, y, r, parent) {
     "degree-two": () => polygon([[-0.75, -0.75], [0.75, -0.75], [0.75, 0.75], [-0.75, 0.75]]),
     isolated: () => polygon([[0, -1.2], [1.2, 0], [0, 1.2], [-1.2, 0]])
   };
+  Object.assign(shapes, {end: shapes["degree-two"], loop: shapes.isolated});
   const shape = shapes[kind] ? shapes[kind]() : makeSvg("circle", {cx: x, cy: y, r}, parent);
   shape.setAttribute("fill", toHex(kindColors[kind] || kindColors.isolated));
   shape.setAttribute("class", "node");
@@ -44,6 +45,7 @@ class Drawing {
     this.on = on;
     this.dragged = null;
     this.pressed = null;
+    this.isMoved = false; // by the mouse, beside the arcs
     container.addEventListener("pointermove", event => this.movePointer(event));
     container.addEventListener("pointerleave", () => this.dragged === null && on.point(null));
     container.addEventListener("pointerdown", event => this.pressPointer(event));
@@ -51,7 +53,29 @@ class Drawing {
     container.addEventListener("click", () => this.pressed === null && on.keep(null));
     ["pointerup", "pointercancel"].forEach(name => container.addEventListener(name, () => {
       this.dragged = null;
+      this.isMoved = false;
     }));
+    this.frame.addEventListener("scroll", () => this.showWhatIsBeyond());
+    ["move_left", "move_right"].forEach((id, i) => element(id).addEventListener("click", () =>
+      this.frame.scrollBy({left: (i - 0.5) * 1.4 * this.frame.clientWidth, behavior: "smooth"})));
+  }
+
+  get frame() {
+    return this.container.parentElement;
+  }
+
+  move(pixels) {
+    this.frame.scrollLeft -= pixels;
+    if (pixels !== 0)
+      this.pressed = {}; // This is no click.
+  }
+
+  // Shows on which sides the drawing goes on beyond its frame.
+  showWhatIsBeyond() {
+    const {scrollLeft, scrollWidth, clientWidth} = this.frame;
+    this.frame.classList.toggle("is_wide", scrollWidth > clientWidth + 1);
+    element("move_left").hidden = scrollLeft < 2;
+    element("move_right").hidden = scrollLeft + clientWidth > scrollWidth - 2;
   }
 
   show(view, arcColors, frame) {
@@ -78,6 +102,7 @@ class Drawing {
     this.container.replaceChildren(axis, svg);
     this.setArcColors(arcColors);
     this.setLit(null);
+    this.showWhatIsBeyond();
   }
 
   drawAxis(axis, svg) {
@@ -142,7 +167,7 @@ class Drawing {
 
   // Scrolls so far that an arc is seen.
   reveal(arc) {
-    const frame = this.container.parentElement;
+    const {frame} = this;
     const [x] = this.pointAt(arc, this.view.value(arc, 0.5));
     if (x < frame.scrollLeft + this.scale.margin.left + 20 || x > frame.scrollLeft + frame.clientWidth - 30)
       frame.scrollLeft = x - frame.clientWidth / 2;
@@ -162,14 +187,18 @@ class Drawing {
   movePointer(event) {
     if (this.dragged !== null)
       this.on.drag(this.dragged, this.valueAt(event));
+    else if (this.isMoved && event.buttons === 1)
+      this.move(event.movementX);
     else if (event.pointerType !== "touch")
       this.on.point(this.targetOf(event));
   }
 
   pressPointer(event) {
     this.pressed = this.targetOf(event);
-    if (this.pressed === null)
+    if (this.pressed === null) {
+      this.isMoved = event.pointerType === "mouse";
       return;
+    }
     this.on.keep(this.pressed);
     if (this.pressed.arc === undefined)
       return;

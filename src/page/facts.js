@@ -12,14 +12,18 @@ class Facts {
   constructor(data) {
     this.data = data;
     this.unit = data.field.unit;
+    this.nameOfVertex = data.skeleton ? "point" : "vertex"; // that of a node
   }
 
   setView(view) {
     this.view = view;
     this.loops = view.arcs.length - view.nodes.length + view.countComponents();
-    const components = view.countComponents();
-    element("summary").textContent = "Reeb graph of " + nameOfField(this.data) + ": "
-      + [plural(view.nodes.length, "node"), plural(view.arcs.length, "arc"), plural(this.loops, "loop")].join(", ")
+    const components = view.countComponents(), {skeleton} = this.data;
+    const counts = skeleton ? [[skeleton.ends, "end"], [skeleton.junctions, "junction"]]
+      : [[view.nodes.length, "node"]];
+    counts.push([view.arcs.length, "arc"], [this.loops, "loop"]);
+    element("summary").textContent = (skeleton ? "Skeleton: " : "Reeb graph of " + nameOfField(this.data) + ": ")
+      + counts.map(([count, noun]) => plural(count, noun)).join(", ")
       + (components > 1 ? ", " + plural(components, "component") : "")
       + " on " + plural(this.data.surface.facesOfInput, "triangle");
   }
@@ -44,27 +48,34 @@ class Facts {
 
   explain(text) {
     element("facts_heading").textContent = "How to read it";
-    const first = addElement(text, "p", "Let the value rise, and follow the lines on which it is the same. Each line"
+    const {skeleton} = this.data;
+    const first = addElement(text, "p", skeleton ? "The skeleton runs inside of the surface, as the same graph here and"
+      + " in the plane. Each of its lines is "
+      : "Let the value rise, and follow the lines on which it is the same. Each line"
       + " in one piece is a contour. The surface that a contour sweeps, until it splits, joins or ends, is"
       + " a piece: ");
     addElement(first, "b", "an arc");
-    first.append(" of the graph. ");
+    first.append(skeleton ? ", with a piece of the surface around it. " : " of the graph. ");
     addElement(first, "b", "A node");
-    first.append(" is where contours begin, join, split or end.");
+    first.append(skeleton ? " is where lines end or meet. In the plane, a node is as high as the way to it along the"
+      + " lines is long, from the lowest node of its component." : " is where contours begin, join, split or end.");
     if (this.loops > 0) {
       addElement(text, "p", "A loop goes around a handle or hole of the surface. This surface has "
         + (this.loops === 1 ? "one." : this.loops.toLocaleString("en") + "."));
     }
     const canSimplify = this.view.arcs.length > 40 && this.data.levels.length > 1;
-    addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it, and move its contour."
+    addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it"
+      + (skeleton ? "." : ", and move its contour.")
       + (canSimplify ? " Simplify to see what matters most." : ""), "hint");
   }
 
   showArc(text, number, contour) {
     const {view, unit} = this, arc = view.arcs[number];
-    const end = node => node.kind + " at " + formatValue(node.value, unit) + " (vertex " + node.vertex + ")";
+    const end = node =>
+      node.kind + " at " + formatValue(node.value, unit) + " (" + this.nameOfVertex + " " + node.vertex + ")";
     element("facts_heading").textContent = "Arc " + number;
-    addElement(text, "p", "One piece of the surface. At its lower end " + this.tellEnd(arc.source)
+    addElement(text, "p", (this.data.skeleton ? "A line and its" : "One") + " piece of the surface. At its lower end "
+      + this.tellEnd(arc.source)
       + ", at its upper end " + this.tellEnd(arc.target) + ".");
     this.addList(text, [
       ["upper end", end(view.upper(number))],
@@ -86,7 +97,7 @@ class Facts {
     addElement(text, "p", "Here " + this.tellEnd(number) + ".");
     this.addList(text, [
       ["value", formatValue(node.value, this.unit)],
-      ["vertex", String(node.vertex)],
+      [this.nameOfVertex, String(node.vertex)],
       ["arcs above", view.arcsAbove[number].join(", ") || "none"],
       ["arcs below", view.arcsBelow[number].join(", ") || "none"]
     ]);

@@ -177,6 +177,9 @@ function describeKind(node, numberBelow, numberAbove) {
     case "minimum": return "a contour begins";
     case "maximum": return "a contour ends";
     case "isolated": return "is a point alone";
+    case "end": return "a line ends";
+    case "junction": return numberBelow + numberAbove + " lines meet";
+    case "loop": return "a line comes back to where it begins";
     case "saddle":
       return numberBelow > 1 && numberAbove > 1 ? numberBelow + " contours meet and part into " + numberAbove
         : numberBelow > 1 ? numberBelow + " contours join" : "a contour splits into " + numberAbove;

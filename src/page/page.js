@@ -105,7 +105,7 @@ class Page {
 
   showContour() {
     const {target, view, state} = this;
-    const arc = target !== null && target.arc !== undefined ? target.arc : null;
+    const arc = target !== null && target.arc !== undefined && !this.data.skeleton ? target.arc : null;
     const contour = arc === null ? null : this.trace(view, arc, state.place);
     state.contour = contour ? Object.assign({arc}, contour) : null;
     if (this.scene)

@@ -53,23 +53,15 @@ Embedded_graph embed(const Page_subject& subject)
   return {subject.graph(), std::move(embedding.node_points), std::move(embedding.arc_polylines), subject.arc_table};
 }
 
-nlohmann::ordered_json page_surface(const Page_subject& subject,
-                                    const Display_surface& surface,
-                                    const Page_frame& frame)
+Shown_surface shown_surface(const Page_subject& subject)
 {
-  nlohmann::ordered_json json;
-  json["faces_of_input"] = subject.surface().number_of_faces();
-  json["is_decimated"] = surface.is_decimated;
-  json["origin"] = frame.origin;
-  json["positions"] = base64(surface.positions);
-  json["values"] = base64(surface.values);
-  json["triangles"] = base64(surface.triangles);
-  json["vertex_arcs"] = base64(surface.vertex_arcs);
-  json["face_patches"] = surface.face_patches ? nlohmann::ordered_json(base64(*surface.face_patches)) : nullptr;
-  return json;
+  Shown_surface shown = {subject.surface(), subject.scalar_map, subject.places, num_vertices(subject.graph()), {},
+                         subject.patch_map};
+  for(const auto node : CGAL::make_range(vertices(subject.graph())))
+    shown.vertices_to_keep.push_back(subject.graph()[node].vertex);
+  return shown;
 }
 
-// The vertices of a chain by their numbers in the page.
 nlohmann::ordered_json page_chain(const Surface& surface,
                                   const CGAL::Reeb_graph::Halfedge_chain<Surface::Halfedge_index>& chain,
                                   const std::vector<std::uint32_t>& new_numbers)
@@ -158,23 +150,48 @@ nlohmann::ordered_json page_loops(const std::vector<Loop_row>& loops)
 
 } // namespace
 
+nlohmann::ordered_json begin_data(const std::string& title,
+                                  const std::string& up,
+                                  const Field_label& field,
+                                  const Value_scale& value_scale)
+{
+  nlohmann::ordered_json data;
+  data["version"] = 1;
+  data["title"] = title;
+  data["generator"] = "reeb_graph " REEB_GRAPH_VERSION;
+  data["up"] = up;
+  data["field"] = {
+    {"name", field.name}, {"unit", field.unit}, {"lowest", value_scale.lowest()}, {"highest", value_scale.highest()}};
+  return data;
+}
+
+nlohmann::ordered_json page_surface(std::size_t number_of_faces,
+                                    const Display_surface& surface,
+                                    const Page_frame& frame)
+{
+  nlohmann::ordered_json json;
+  json["faces_of_input"] = number_of_faces;
+  json["is_decimated"] = surface.is_decimated;
+  json["origin"] = frame.origin;
+  json["positions"] = base64(surface.positions);
+  json["values"] = base64(surface.values);
+  json["triangles"] = base64(surface.triangles);
+  json["vertex_arcs"] = base64(surface.vertex_arcs);
+  json["face_patches"] = surface.face_patches ? nlohmann::ordered_json(base64(*surface.face_patches)) : nullptr;
+  return json;
+}
+
+// The vertices of a chain by their numbers in the page.
 nlohmann::ordered_json page_data(const Page_subject& subject)
 {
   const Page_frame frame(subject.surface());
   const Value_scale value_scale(values(subject));
-  const Display_surface surface = display_surface(subject, frame);
+  const Display_surface surface = display_surface(shown_surface(subject), frame);
   const Embedded_graph embedded = embed(subject);
 
-  nlohmann::ordered_json data;
-  data["version"] = 1;
-  data["title"] = subject.title;
-  data["generator"] = "reeb_graph " REEB_GRAPH_VERSION;
-  data["up"] = subject.up;
-  data["field"] = {{"name", subject.field_label.name},
-                   {"unit", subject.field_label.unit},
-                   {"lowest", value_scale.lowest()},
-                   {"highest", value_scale.highest()}};
-  data["surface"] = page_surface(subject, surface, frame);
+  nlohmann::ordered_json data = begin_data(subject.title, subject.up, subject.field_label, value_scale);
+  data["skeleton"] = nullptr;
+  data["surface"] = page_surface(subject.surface().number_of_faces(), surface, frame);
   data["columns"] = page_columns(subject.arc_table);
   data["graph"] = page_graph(embedded, frame, value_scale);
   if(surface.is_decimated)

@@ -14,6 +14,8 @@
 #include "base/report.h"
 #include "base/surface.h"
 #include "computation/simplification.h"
+#include "page/display_surface.h"
+#include "page/page_graph.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -55,7 +57,19 @@ struct Page_subject
 // A chain is a sequence of vertices, of which each pair of neighbours is an ascending edge, but where a chain consists
 // of several pieces. For any level that an arc crosses, the edge to start its contour at leads from the last vertex of
 // the chain that is below the level to the vertex that follows.
+//
+// `skeleton` has the counts of a skeleton, and is null for a Reeb graph. Nodes of skeletons know their points by number in
+// the place of vertices, and arcs, which have neither chains nor contours, rise and fall in the plane where a loop closes.
 nlohmann::ordered_json page_data(const Page_subject& subject);
+
+// What all pages have: this, and then the surface.
+nlohmann::ordered_json begin_data(const std::string& title,
+                                  const std::string& up,
+                                  const Field_label& field,
+                                  const Value_scale& value_scale);
+nlohmann::ordered_json page_surface(std::size_t number_of_faces,
+                                    const Display_surface& surface,
+                                    const Page_frame& frame);
 
 } // namespace reeb_graph_program
 

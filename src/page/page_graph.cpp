@@ -36,26 +36,6 @@ nlohmann::ordered_json page_node(const Graph& graph,
   return json;
 }
 
-nlohmann::ordered_json flat_polyline(const Polyline& polyline, const Page_frame& frame)
-{
-  auto json = nlohmann::ordered_json::array();
-  for(const Point& point : polyline)
-    for(const double coordinate : frame.coordinates(point))
-      json.push_back(coordinate);
-  return json;
-}
-
-nlohmann::ordered_json flat_drawing(const std::vector<std::array<double, 2>>& drawing, const Value_scale& value_scale)
-{
-  auto json = nlohmann::ordered_json::array();
-  for(const auto& [column, value] : drawing)
-  {
-    json.push_back(column);
-    json.push_back(value_scale.finite_value(value));
-  }
-  return json;
-}
-
 nlohmann::ordered_json json_number(double number) { return number_or_string(number); }
 nlohmann::ordered_json json_number(std::int64_t number) { return number; }
 
@@ -81,6 +61,33 @@ nlohmann::ordered_json page_columns(const Arc_table& table)
   return json;
 }
 
+void add_columns(const Arc_table& table, std::size_t arc, nlohmann::ordered_json& json)
+{
+  for(const Arc_column& column : table.columns)
+    json[column.attribute.name] =
+      std::visit([&](const auto& numbers) { return json_number(numbers[arc]); }, column.attribute.numbers);
+}
+
+nlohmann::ordered_json flat_polyline(const Polyline& polyline, const Page_frame& frame)
+{
+  auto json = nlohmann::ordered_json::array();
+  for(const Point& point : polyline)
+    for(const double coordinate : frame.coordinates(point))
+      json.push_back(coordinate);
+  return json;
+}
+
+nlohmann::ordered_json flat_drawing(const std::vector<std::array<double, 2>>& drawing, const Value_scale& value_scale)
+{
+  auto json = nlohmann::ordered_json::array();
+  for(const auto& [column, value] : drawing)
+  {
+    json.push_back(column);
+    json.push_back(value_scale.finite_value(value));
+  }
+  return json;
+}
+
 nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
                                   const Page_frame& frame,
                                   const Value_scale& value_scale)
@@ -99,9 +106,7 @@ nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
     arc["target"] = ends.upper_node;
     arc["polyline"] = flat_polyline(embedded.arc_polylines[i], frame);
     arc["plane"] = flat_drawing(layout.arc_polylines[i], value_scale);
-    for(const Arc_column& column : embedded.arc_table.columns)
-      arc[column.attribute.name] =
-        std::visit([&](const auto& numbers) { return json_number(numbers[i]); }, column.attribute.numbers);
+    add_columns(embedded.arc_table, i, arc);
     arcs.push_back(std::move(arc));
   }
   return {{"nodes", std::move(nodes)}, {"arcs", std::move(arcs)}};

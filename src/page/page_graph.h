@@ -17,6 +17,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -37,6 +38,15 @@ nlohmann::ordered_json number_or_string(double number);
 
 // What is told of each arc.
 nlohmann::ordered_json page_columns(const Arc_table& table);
+
+// Adds the numbers of an arc.
+void add_columns(const Arc_table& table, std::size_t arc, nlohmann::ordered_json& json);
+
+// The coordinates of all points.
+nlohmann::ordered_json flat_polyline(const Polyline& polyline, const Page_frame& frame);
+
+// The columns and heights of a line in the plane.
+nlohmann::ordered_json flat_drawing(const std::vector<std::array<double, 2>>& drawing, const Value_scale& value_scale);
 
 // The nodes and arcs, without what leads from arcs to the surface.
 nlohmann::ordered_json page_graph(const Embedded_graph& embedded,

@@ -100,6 +100,15 @@ std::string_view write_up_to(std::ostream& stream,
   return page.substr(position + marker.size());
 }
 
+void write_data(const fs::path& path, const nlohmann::ordered_json& data)
+{
+  const std::string text = script_text(data);
+  write_file(path, [&](std::ostream& stream) {
+    const std::string_view body = write_up_to(stream, page_template(), "<!-- title -->", html_text(data["title"]));
+    stream << write_up_to(stream, body, "<!-- data -->", text);
+  });
+}
+
 } // namespace
 
 bool is_page_available() { return !page_template().empty(); }
@@ -136,16 +145,16 @@ void write_page(const fs::path& path, const Page_request& request)
   nlohmann::ordered_json data =
     page_data({shown.surface_augmentation(), shown.places(), shown.arc_table(), request.scalar_map, request.title,
                request.field_label, request.up, request.patch_map, request.curves, request.loops});
-  data["graph"]["is_shown"] = request.is_graph_shown;
   data["graph"]["is_simplified"] = threshold.has_value();
   data["graph"]["arcs_of_input"] = num_edges(wanted);
   data["graph"]["threshold"] = threshold.value_or(0);
+  write_data(path, data);
+}
 
-  const std::string text = script_text(data);
-  write_file(path, [&](std::ostream& stream) {
-    const std::string_view body = write_up_to(stream, page_template(), "<!-- title -->", html_text(data["title"]));
-    stream << write_up_to(stream, body, "<!-- data -->", text);
-  });
+void write_page(const fs::path& path, const Page_of_skeleton& page)
+{
+  const Progress_bar progress_bar("page");
+  write_data(path, page_data(page));
 }
 
 } // namespace reeb_graph_program

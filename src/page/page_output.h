@@ -14,6 +14,7 @@
 #include "base/surface.h"
 #include "computation/Mesh_graph.h"
 #include "page/page_data.h"
+#include "page/page_skeleton.h"
 
 #include <filesystem>
 #include <optional>
@@ -39,12 +40,12 @@ struct Page_request
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
   std::vector<Loop_row> loops = {};
-  bool is_graph_shown = true; // at first
 };
 
 // Writes a page that shows the simplified graph on its surface, in one file. A graph of more than 2000 arcs is
 // simplified until no more are left.
 void write_page(const std::filesystem::path& path, const Page_request& request);
+void write_page(const std::filesystem::path& path, const Page_of_skeleton& page);
 
 } // namespace reeb_graph_program
 

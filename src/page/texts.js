@@ -41,7 +41,8 @@ function showFailure(message) {
 
 const meaningsOfKinds = {
   minimum: "a contour begins", saddle: "contours join or split", maximum: "a contour ends",
-  "degree-two": "a contour goes on", isolated: "a point alone"
+  "degree-two": "a contour goes on", isolated: "a point alone",
+  end: "a line ends", junction: "lines meet", loop: "a line comes back"
 };
 
 // What the page does not show, as it would be too much.
@@ -62,7 +63,7 @@ function showNotice({surface, graph, field, arcsOfInput, threshold}) {
 // What does not change.
 function showTexts(data) {
   const {title, graph, generator} = data;
-  document.title = title + " – Reeb graph";
+  document.title = title + (data.skeleton ? "" : " – Reeb graph");
   element("title").textContent = title;
   element("field_label").textContent = nameOfField(data);
   element("axis_name").textContent = "upwards: " + nameWithUnit(data);

@@ -499,6 +499,79 @@ def test_removal():
     assert len(set(picture())) > 200
 
 
+def test_skeleton():
+    """What skeleton shows: its own graph, as in its report, in space and in the plane, and pieces around its lines."""
+    run("skeleton", "torus.off", "--html", "skeleton.html", "--unit", "mm")
+    load("skeleton.html")
+    data = data_of_page()
+    nodes, arcs, known = data["graph"]["nodes"], data["graph"]["arcs"], data["skeleton"]
+    assert len(browser.find_elements(By.CSS_SELECTOR, "#drawing .node")) == len(nodes)
+    assert len(browser.find_elements(By.CSS_SELECTOR, "#drawing path.arc")) == len(arcs) == known["arcs"]
+    assert len(set(picture())) > 200 and browser.find_element(By.ID, "show_graph").is_selected()
+    summary = browser.find_element(By.ID, "summary").text
+    for name in ("ends", "junctions", "arcs", "loops"):
+        assert any(f"{known[name]} {noun}" in summary for noun in (name, name[:-1])), (summary, name)
+    assert not browser.find_element(By.ID, "place_label").is_displayed()
+    before = picture()
+    number = max(range(len(arcs)), key=lambda k: arcs[k]["length"])
+    line = arcs[number]["polyline"]
+    pointed = []
+    for i in range(0, len(line), 3):
+        mouse("mouseMoved", *on_canvas(line[i:i + 3]))
+        pointed.append(state()["pointed"])
+    assert {"arc": number} in pointed, pointed
+    focus("drawing")
+    press("n")
+    assert state()["kept"] == {"arc": 0} and state()["contour"] is None and difference(before, picture()) > 500
+    assert "least radius" in browser.find_element(By.ID, "facts").text and "mm" in browser.find_element(By.ID, "facts").text
+    press(Keys.ESCAPE)
+
+
+def test_wide_drawing():
+    """Where a drawing is wider than its frame, buttons at its sides and the mouse move it; elsewhere there are none."""
+    points, triangles = [], []
+    for number in range(30):
+        first = len(points)
+        for i, j in itertools.product(range(12), range(8)):
+            a, b = 2 * math.pi * i / 12, 2 * math.pi * j / 8
+            points.append((9 * number + (3 + math.cos(b)) * math.cos(a), (3 + math.cos(b)) * math.sin(a), math.sin(b)))
+            p, q, r, s = (first + 8 * (k % 12) + m % 8 for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+            triangles += [(p, q, r), (p, r, s)]
+    (folder / "tori.off").write_text(f"OFF\n{len(points)} {len(triangles)} 0\n"
+                                     + "".join("%r %r %r\n" % point for point in points)
+                                     + "".join("3 %d %d %d\n" % triangle for triangle in triangles))
+    run("skeleton", "tori.off", "--html", "tori.html")
+
+    def scroll():
+        wait_for_drawing()
+        frame = "document.getElementById('drawing_frame')"
+        return browser.execute_script(f"return [{frame}.scrollLeft, {frame}.scrollWidth, {frame}.clientWidth]")
+
+    for width in (1300, 800, 400):
+        load("tori.html", width, 900)
+        left, right = (browser.find_element(By.ID, f"move_{side}") for side in ("left", "right"))
+        browser.execute_script("document.getElementById('drawing_frame').scrollLeft = 0")
+        position, inner, outer = scroll()
+        assert inner > outer and not left.is_displayed() and right.is_displayed(), (width, inner, outer)
+        browser.execute_script("arguments[0].click()", right)
+        time.sleep(1)
+        assert scroll()[0] > position + outer / 3 and left.is_displayed()
+        browser.execute_script("document.getElementById('drawing_frame').scrollLeft = 1e6")
+        assert scroll()[0] == inner - outer and not right.is_displayed()
+    load("tori.html")
+    start, top = browser.execute_script("const r = document.getElementById('drawing').getBoundingClientRect();"
+                                        "return [r.left + 200, r.top + 5]")
+    position = scroll()[0]
+    mouse("mouseMoved", start, top)
+    mouse("mousePressed", start, top, 1)
+    mouse("mouseMoved", start - 30, top, 1)
+    mouse("mouseMoved", start - 60, top, 1)
+    mouse("mouseReleased", start - 60, top)
+    assert scroll()[0] > position + 20
+    load("skeleton.html")
+    assert not any(browser.find_element(By.ID, f"move_{side}").is_displayed() for side in ("left", "right"))
+
+
 def test_cut_scan():
     """What curves shows of a surface with holes: pieces, of which the list leads to each, curves, arcs, and up."""
     holes = [(0, 0, 1), (1, 0, 0.2), (-1, 0.3, 0), (0, 1, -0.3), (0.2, -1, -0.5)]
@@ -597,7 +670,7 @@ def test_all():
         test(data)
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")
-    for test in [test_patches_and_curves, test_loops, test_removal, test_cut_scan, test_lines_inside_of_a_cut_scan, test_least_surfaces, test_large_surface]:
+    for test in [test_patches_and_curves, test_loops, test_removal, test_skeleton, test_wide_drawing, test_cut_scan, test_lines_inside_of_a_cut_scan, test_least_surfaces, test_large_surface]:
         test()
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")

@@ -5,6 +5,7 @@
 # Each other KEY is a path of keys, with dots between them, to a value of the data as JSON; length counts.
 import base64
 import html.parser
+import itertools
 import json
 import math
 import struct
@@ -80,6 +81,47 @@ class Surface:
 def columns_of(data):
     check(all(column["unit"] in ("field", "count", "") for column in data["columns"]), "the unit of a column")
     return {column["name"] for column in data["columns"]}
+
+
+# The graph of a skeleton: its counts are those of the report, arcs rise as far as one can walk along them.
+def check_skeleton(data, surface):
+    graph, known = data["graph"], data["skeleton"]
+    nodes, arcs = graph["nodes"], graph["arcs"]
+    degrees, roots = [0] * len(nodes), list(range(len(nodes)))
+
+    def root(i):
+        while roots[i] != i:
+            i = roots[i]
+        return i
+
+    for arc in arcs:
+        ends = arc["source"], arc["target"]
+        low, high = (nodes[end]["value"] for end in ends)
+        for end in ends:
+            degrees[end] += 1
+        roots[root(ends[0])] = root(ends[1])
+        line, plane, heights = arc["polyline"], arc["plane"], arc["plane"][1::2]
+        check(line[:3] == nodes[ends[0]]["point"] and line[-3:] == nodes[ends[1]]["point"], "an arc is not at its nodes")
+        check([plane[:2], plane[-2:]] == [[nodes[end]["column"], nodes[end]["value"]] for end in ends], "in the plane")
+        points = [line[i:i + 3] for i in range(0, len(line), 3)]
+        steps = [0] + list(itertools.accumulate(math.dist(p, q) for p, q in zip(points, points[1:])))
+        check(abs(steps[-1] - arc["length"]) < 1e-5 * steps[-1], "the length of an arc")
+        top = heights.index(max(heights))
+        check(heights == sorted(heights[:top]) + sorted(heights[top:], reverse=True), "an arc falls before it rises")
+        farthest = max(min(low + step, high + steps[-1] - step) for step in steps)
+        check(low <= high and abs(max(heights) - farthest) < 1e-5 * (farthest + steps[-1]), "the height of an arc")
+        check(0 <= arc["least_radius"] <= arc["radius"] <= arc["greatest_radius"], "radii")
+    kinds = ["end" if degree == 1 else "loop" if degree == 2 else "junction" for degree in degrees]
+    check(kinds == [node["kind"] for node in nodes], "the kinds of nodes")
+    components = sum(root(i) == i for i in range(len(nodes)))
+    counts = {"components": components, "arcs": len(arcs), "ends": kinds.count("end"),
+              "junctions": kinds.count("junction"), "loops": len(arcs) - len(nodes) + components}
+    check(counts == {key: known[key] for key in counts}, f"the counts are {counts}")
+    check(sum(node["value"] == 0 for node in nodes) == components, "there is not one root for each component")
+    if not data["surface"]["is_decimated"]:
+        check(sum(arc["vertices"] for arc in arcs) == sum(place >= 0 for place in surface.places), "the vertices of arcs")
+    check(all(-1 - len(nodes) < place < len(arcs) for place in surface.places), "there is no such node or arc")
+    check(data["levels"] == [{"threshold": 0, "arcs": list(range(len(arcs)))}], "the levels of a skeleton")
 
 
 def check_graph(graph, surface, columns, arc_numbers):
@@ -211,6 +253,20 @@ def check_value(data, path, expected):
     check(value == json.loads(expected), f"{path} is {value}, not {expected}")
 
 
+def check_reeb_graph(data, surface):
+    graph = data["graph"]
+    check_graph(graph, surface, columns_of(data), surface.places)
+    edges = {(t[i], t[j]) for t in surface.triangles for i in range(3) for j in range(3) if i != j}
+    for arc in graph["arcs"]:
+        if data["surface"]["is_decimated"]:
+            check(arc["chain"] is None, "a chain on another mesh")
+            check_contours(arc, graph["nodes"])
+        else:
+            check(arc["contours"] is None, "contours that the page can trace")
+            check_chain(arc, graph["nodes"], surface, edges)
+    check_levels(data, surface)
+
+
 def main(path, title, *arguments):
     with open(path, encoding="utf-8") as file:
         page = Page(file.read())
@@ -219,22 +275,13 @@ def main(path, title, *arguments):
     check(data["version"] == 1 and data["generator"].startswith("reeb_graph "), "the version")
     check(page.title == data["title"] == title, f"the title is {page.title}")
     surface = Surface(data["surface"])
-    graph = data["graph"]
-    check_graph(graph, surface, columns_of(data), surface.places)
+    (check_skeleton if data.get("skeleton") else check_reeb_graph)(data, surface)
     low, high = data["field"]["lowest"], data["field"]["highest"]
     check(all(low <= value <= high for value in surface.values if math.isfinite(value)), "the range of the field")
     if data["surface"]["is_decimated"]:
         check(len(surface.triangles) < data["surface"]["faces_of_input"], "nothing is decimated")
-        for arc in graph["arcs"]:
-            check(arc["chain"] is None, "a chain on another mesh")
-            check_contours(arc, graph["nodes"])
     else:
         check(len(surface.triangles) == data["surface"]["faces_of_input"], "the number of faces")
-        edges = {(t[i], t[j]) for t in surface.triangles for i in range(3) for j in range(3) if i != j}
-        for arc in graph["arcs"]:
-            check(arc["contours"] is None, "contours that the page can trace")
-            check_chain(arc, graph["nodes"], surface, edges)
-    check_levels(data, surface)
     for argument in arguments:
         key, value = argument.split("=", 1)
         if key == "vertex_arcs":

@@ -41,7 +41,17 @@ expect_page(page tetrahedron.off mesh=tetrahedron.off coordinate=2 field.name="z
             graph.is_simplified=false levels.length=1 curves.length=0)
 
 expect_success(skeleton tetrahedron.off --html page.html)
-expect_page(page "tetrahedron.off: skeleton with 2 ends, 0 loops" curves.length=1)
+expect_page(page "tetrahedron.off: skeleton with 2 ends, 0 loops" mesh=tetrahedron.off skeleton.ends=2)
+foreach(name neuron genus_3)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/../../examples/Reeb_graph/data/${name}.off ${FOLDER}/${name}.off COPYONLY)
+  expect_success(skeleton ${name}.off --json --html page.html)
+  string(JSON ends GET "${output}" ends)
+  string(JSON loops GET "${output}" loops)
+  string(JSON arcs LENGTH "${output}" arcs)
+  string(REGEX REPLACE "^1 loops" "1 loop" title "${loops} loops")
+  expect_page(page "${name}.off: skeleton with ${ends} ends, ${title}" mesh=${name}.off graph.arcs.length=${arcs}
+              skeleton.ends=${ends} skeleton.loops=${loops})
+endforeach()
 
 # names that are code, and such that are no UTF-8
 set(unit "</script><script>alert(1)</script>&amp<!--")

@@ -72,7 +72,7 @@ expect_match("${output}" "3 minima, 1 saddle [(]1 of multiplicity 2[)], 3 maxima
 expect_match("${output}" "7 nodes, 6 arcs, 0 loops")
 
 # The help fits into a window, has its options in groups, and ends with an example; shells complete the same options.
-foreach(command "" compute contour curves field handles demo)
+foreach(command "" compute contour curves field handles repair skeleton demo)
   expect_success(${command} --help)
   string(REPLACE ";" "," lines "${output}")
   string(REPLACE "\n" ";" lines "${lines}")
@@ -85,6 +85,9 @@ foreach(command "" compute contour curves field handles demo)
   if(command MATCHES "compute|contour|curves")
     expect_match("${output}" "Input:.*Field:.*Graph:.*Simplification:.*Output:.*Fields, for --field:.*Example:\n  reeb_graph ")
   endif()
+  string(REGEX MATCHALL "Example:" examples "${output}")
+  expect_equal("${examples}" "Example:")
+  expect_match("${output}" "Example:\n  reeb_graph ${command}")
   string(REGEX MATCHALL "\n  [-a-z,]*--[a-z0-9-]+" options_of_${command} "${output}")
 endforeach()
 find_program(BASH_SHELL bash)
@@ -92,7 +95,7 @@ if(NOT BASH_SHELL)
   message(STATUS "SKIPPED: bash, whose completion is tested, is not installed")
   return()
 endif()
-foreach(command compute contour curves field handles demo)
+foreach(command compute contour curves field handles repair skeleton demo)
   execute_process(
     COMMAND ${BASH_SHELL} -c "source <(\"$0\" --completion bash)
                               COMP_WORDS=(reeb_graph $1 --); COMP_CWORD=2; _reeb_graph reeb_graph -- $1

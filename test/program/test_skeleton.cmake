@@ -2,7 +2,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 configure_file(${CMAKE_CURRENT_LIST_DIR}/../../examples/Reeb_graph/data/neuron.off ${FOLDER}/neuron.off COPYONLY)
-expect_success(skeleton neuron.off --json --output s.swc --output s.vtp --output s.polylines.txt --output s.graphml)
+expect_success(skeleton neuron.off --json --output s.swc s.vtp --output s.polylines.txt s.graphml)
 foreach(key_and_value components=1 genus=1 loops=1 hidden_handles=0 ends=5 border_ends=0 vertices_outside=0
                       crossing_edges=0)
   string(REPLACE "=" ";" key_and_value ${key_and_value})
@@ -46,13 +46,28 @@ foreach(name Radius MaximumInscribedSphereRadius GroupIds CenterlineIds TractIds
   expect_match("${vtp}" "Name=\"${name}\"")
 endforeach()
 
-expect_success(skeleton neuron.off --field x --prune 0 --step 1)
+expect_success(skeleton neuron.off --field x --pruning-ratio 0 --sampling-ratio 1)
 expect_match("${output}" "field     x")
 expect_match("${output}" "1 loop, 0 hidden handles")
 expect_match("${output}" "inside    0 vertices outside, 0 crossing edges, 0 self-intersecting components")
-expect_error("prune" skeleton neuron.off --prune -1)
-expect_error("step" skeleton neuron.off --step 0)
+expect_error("pruning-ratio" skeleton neuron.off --pruning-ratio -1)
+expect_error("sampling-ratio" skeleton neuron.off --sampling-ratio 0)
 expect_error("swc" skeleton neuron.off --output s.csv)
+
+# Several files, all or none, and the mesh behind them.
+foreach(arguments "--output t.swc t.vtp neuron.off" "--output t.swc t.vtp neuron.off --threads 1"
+                  "--output t.swc --output t.vtp neuron.off" "--threads 1 neuron.off --output t.swc t.vtp")
+  string(REPLACE " " ";" arguments "${arguments}")
+  file(REMOVE ${FOLDER}/t.swc ${FOLDER}/t.vtp)
+  expect_success(skeleton ${arguments})
+  expect_same_file(s.swc t.swc)
+  expect_same_file(s.vtp t.vtp)
+endforeach()
+expect_error("u.csv: the file name" skeleton neuron.off --output u.swc u.csv)
+expect_error("missing/u.vtp: the file cannot be written" skeleton neuron.off --output u.swc missing/u.vtp)
+expect_error("two outputs" skeleton neuron.off --output u.swc ./u.swc)
+expect_error("replace an input" skeleton s.vtp --output u.swc s.vtp)
+expect_error("MESH is required" skeleton --output u.swc)
 
 # Three triangles on an edge are no surface.
 file(WRITE ${FOLDER}/soup.off "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
