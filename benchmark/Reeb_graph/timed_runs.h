@@ -206,7 +206,7 @@ inline double nanoseconds_per_crossed_edge(const Input& input, const Graph& grap
       for(std::size_t i = 0; i < arcs.size(); i += stride)
         for(const double t : {0.25, 0.5, 0.75})
         {
-          number_of_edges += augmentation.contour(arcs[i], t).halfedges.size();
+          number_of_edges += augmentation.contour(arcs[i], t).edges.size();
           ++number_of_contours;
         }
   });

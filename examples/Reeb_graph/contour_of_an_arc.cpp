@@ -58,7 +58,7 @@ int main(int argc, char* argv[])
         std::vector<Point> points;
         augmentation.points_of_contour(contour, std::back_inserter(points));
         std::cout << "  t = " << t << ", value " << contour.value << ": " << points.size() << " points, length "
-                  << length(points, contour.is_closed) << std::endl;
+                  << length(points, contour.is_closed()) << std::endl;
       }
     }
   }

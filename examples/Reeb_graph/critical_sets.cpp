@@ -45,10 +45,10 @@ int main(int argc, char* argv[])
       std::cout << "node " << node << ", " << CGAL::Reeb_graph::to_string(graph[node].kind) << ", "
                 << critical_set.star.size() << " faces around" << std::endl;
       for(const Augmentation::Contour& contour : critical_set.lower_contours)
-        std::cout << "  from arc " << number_of_arc[contour.arc] << ": " << contour.halfedges.size() << " edges"
+        std::cout << "  from arc " << number_of_arc[contour.arc] << ": " << contour.number_of_crossings() << " edges"
                   << std::endl;
       for(const Augmentation::Contour& contour : critical_set.upper_contours)
-        std::cout << "  to arc " << number_of_arc[contour.arc] << ": " << contour.halfedges.size() << " edges"
+        std::cout << "  to arc " << number_of_arc[contour.arc] << ": " << contour.number_of_crossings() << " edges"
                   << std::endl;
     }
 

@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
     std::vector<std::vector<Kernel::Point_3>> polylines;
     polylines.reserve(contours.size());
     for(const auto& contour : contours)
-      polylines.push_back(CGAL::Reeb_graph::polyline_of_contour(mesh, augmentation, contour));
+      polylines.push_back(CGAL::Reeb_graph::polylines_of_contour(augmentation, contour).front());
     CGAL::Reeb_graph::write_polylines("handles.polylines.txt", polylines);
 
     // The graph, written with its chains and read back.

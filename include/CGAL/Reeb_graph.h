@@ -28,7 +28,6 @@
 #include <CGAL/Reeb_graph/IO/read_graphml.h>
 #include <CGAL/Reeb_graph/IO/svg.h>
 #include <CGAL/Reeb_graph/IO/vtp.h>
-#include <CGAL/Reeb_graph/Soup_contour.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/exceptions.h>

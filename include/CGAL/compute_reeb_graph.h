@@ -23,7 +23,7 @@
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/write_graph.h>
-#include <CGAL/Reeb_graph/internal/way_back/find_vertex_places.h>
+#include <CGAL/Reeb_graph/internal/way_back/vertex_places.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/visitor.h>

@@ -27,7 +27,7 @@ class Contour(np.ndarray):
     value : float
         The value of its level.
     closed : bool
-        Whether it is one closed curve.
+        Whether it is one closed curve; in tetrahedra, a surface without border.
     edges : (k, 2) array of int
         The lower and the higher vertex of each edge of the mesh that is crossed: point i is on edge i.
     polylines : list of arrays of int

@@ -12,7 +12,7 @@
 #include "base/complex.h"
 #include "base/progress_bar.h"
 #include "base/threads.h"
-#include "computation/contours.h"
+#include "computation/Mesh_graph.h"
 #include "input/Polygon_soup.h"
 #include "output/output_file.h"
 

@@ -88,7 +88,11 @@ def test_contours_of_complexes():
     graph = reeb_graph.compute(None, points[:, 0] + 0.1 * points[:, 1], tetrahedra=tetrahedra, points=points)
     contour = graph.contour(0, 0.5)
     assert contour.triangles.shape[1] == 3 and contour.triangles.max() == len(contour) - 1
+    assert not contour.closed  # its border is on that of the cubes
     assert len(graph.critical_set(0).star) > 0
+    around_the_middle = reeb_graph.compute(None, ((points - 1) ** 2).sum(axis=1), tetrahedra=tetrahedra, points=points)
+    (shell,) = around_the_middle.contours(0.5)
+    assert shell.closed and len(shell.triangles) > 3
 
 
 def test_critical_sets(torus):

@@ -12,13 +12,12 @@
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
-#include "computation/augmentation.h"
-#include "computation/complex_counts.h"
 #include "computation/longest_loop.h"
 #include "computation/simplification.h"
 #include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
+#include "input/limits_of_kinds.h"
 #include "output/diagram_output.h"
 #include "output/graph_output.h"
 #include "output/loops_output.h"
@@ -238,19 +237,16 @@ void check(const Compute_options& options)
   check_simplification_of_field(options.simplification);
 }
 
-// What is for surfaces only. PLY and VTP files of meshes hold no tetrahedra.
 void check_for_complex(const Compute_options& options, const Mesh& mesh)
 {
-  const auto check_left_out = [&](bool is_left_out, const std::string& option) {
-    if(!is_left_out)
-      throw Input_error(options.input.mesh_path,
-                        option + " needs an oriented manifold surface; " + describe_obstacle(mesh));
+  const auto check = [&](const std::filesystem::path& path, const std::string& option) {
+    const std::string reason = path.empty() ? "" : reason_against(option, mesh);
+    if(!reason.empty())
+      throw Input_error(options.input.mesh_path, reason);
   };
-  check_left_out(options.page_path.empty(), "--html");
-  check_left_out(options.simplified_scalars_path.empty(), "--simplified-scalars");
-  if(!options.mesh_path.empty() && !mesh.complex->tetrahedra.empty())
-    throw Input_error(options.input.mesh_path, "--mesh-out writes triangles, and the mesh has tetrahedra: "
-                                               "--vertex-arcs writes where each vertex belongs");
+  check(options.page_path, "--html");
+  check(options.simplified_scalars_path, "--simplified-scalars");
+  check(options.mesh_path, "--mesh-out");
 }
 
 void write_results(const Compute_options& options, Mesh& mesh, Scalar_map scalar_map, Mesh_graph& graph, Report& report)

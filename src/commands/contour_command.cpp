@@ -12,6 +12,7 @@
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
+#include "input/limits_of_kinds.h"
 #include "output/contour_output.h"
 #include "output/output_file.h"
 #include "output/report_output.h"
@@ -59,9 +60,8 @@ void run_contour(const Contour_options& options)
   check_simplification_options(options.choice.simplification);
   Contours_report report;
   Mesh mesh = read_mesh(options.input, report);
-  if(mesh.complex && mesh.complex->has_triangles_and_tetrahedra())
-    throw Input_error(options.input.mesh_path, "there are triangles that are faces of no tetrahedron: contours of such "
-                                               "a mesh are neither polylines nor triangles");
+  if(const std::string reason = reason_against("contour", mesh); !reason.empty())
+    throw Input_error(options.input.mesh_path, reason);
   const bool has_tetrahedra = mesh.complex && !mesh.complex->tetrahedra.empty();
   for(const std::string& path : options.output_paths)
     check_contour_format(path, has_tetrahedra);

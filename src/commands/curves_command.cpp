@@ -225,12 +225,12 @@ Surface read(Input_options& input, bool is_field_needed, Curves_report& report)
   {
     Input_options without_field = input;
     without_field.field = "z"; // which needs nothing of the file
-    return read_surface(without_field, report);
+    return read_surface("curves", without_field, report);
   }
   const bool is_default = input.field.empty() && input.scalars_path.empty();
   if(is_default)
     input.field = "harmonic";
-  Surface surface = read_surface(input, report);
+  Surface surface = read_surface("curves", input, report);
   const bool has_borders = !CGAL::is_closed(surface);
   if(is_default && has_borders && !input.lowest_vertex)
     input.field = "harmonic-between-borders";

@@ -102,7 +102,7 @@ void run_handles(const Handles_options& options)
   if(input.field.empty() && input.scalars_path.empty())
     input.field = "z"; // until the mesh is known
   Mesh mesh;
-  mesh.surface = read_surface(input, report);
+  mesh.surface = read_surface("handles", input, report);
   Surface& surface = mesh.surface;
   const Stopwatch field_stopwatch;
   const Scalar_map scalar_map = add_field_or_height(options.input, surface, report);

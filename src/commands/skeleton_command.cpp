@@ -53,7 +53,7 @@ void run_skeleton(const Skeleton_command_options& options)
   Input_options input = options.input;
   if(!has_field(input))
     input.field = "geodesic";
-  Surface surface = read_surface(input, report);
+  Surface surface = read_surface("skeleton", input, report);
   std::optional<Scalar_map> scalar_map;
   if(has_field(options.input))
   {

@@ -14,19 +14,57 @@
 #include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"
-#include "computation/contours.h"
 #include "computation/simplification.h"
 
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/options.h>
+#include <CGAL/boost/graph/iterator.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <vector>
 
 namespace reeb_graph_program {
 typedef CGAL::Reeb_graph::Embedding<Point> Embedding;
+
+// Which contours of which graph: those at the place `t`, those at the levels, or the one closest to a point.
+struct Contour_choice
+{
+  Graph_options graph;
+  Simplification_options simplification;
+  std::optional<double> t;                     // between 0 and 1 on each arc
+  std::optional<std::size_t> arc;              // with t: the only arc
+  std::vector<double> levels;                  // of which some may have no contour
+  std::optional<std::size_t> number_of_levels; // that cut the range of the field into equal steps
+  std::optional<Point> point;
+  bool may_be_none = false; // else it is an error if there is no contour
+};
+
+// What files and Python have of a contour of any kind. Each point is on the edge of the same number, and that leads from
+// its lower to its higher vertex.
+struct Contour
+{
+  static constexpr std::size_t no_arc = static_cast<std::size_t>(-1);
+
+  std::size_t arc = 0; // by its number; no_arc for a curve in a plateau
+  double value = 0;    // of the level
+  bool is_closed = false;
+  std::vector<std::array<std::size_t, 2>> edges;
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> polylines;   // of points; if one is closed, its first point is its last one too
+  std::vector<std::array<std::size_t, 3>> triangles; // of points: in tetrahedra, instead of polylines
+};
+
+// What a node stands for.
+struct Critical_set
+{
+  std::vector<Contour> lower_contours, upper_contours; // one for each arc
+  std::vector<std::size_t> star;                       // the faces or tetrahedra at the vertex
+  std::vector<std::size_t> border_loop;                // the vertices of the border that is in the level of the node
+};
 
 // The Reeb graph of what a mesh file has, simplified if that is asked for, and what is asked of the mesh by way of it:
 // one interface for surfaces, and for complexes of triangles or of tetrahedra.
@@ -82,13 +120,20 @@ std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh,
                                                double threshold,
                                                Report& report);
 
-// The part of it for complexes.
-std::unique_ptr<Mesh_graph> compute_complex_graph(const Mesh& mesh,
-                                                  Scalar_map scalar_map,
-                                                  const Graph_options& options,
-                                                  const Simplification_options& simplification,
-                                                  double threshold,
-                                                  Report& report);
+// N levels between the least and the greatest value, which they cut into N + 1 equal steps.
+std::vector<double> equal_steps(std::size_t number_of_levels, Scalar_map scalar_map);
+
+// The graph with values to which `base` is added, in `copy` if need be.
+template <class AnyGraph>
+const AnyGraph& with_base(const AnyGraph& graph, double base, std::optional<AnyGraph>& copy)
+{
+  if(base == 0)
+    return graph;
+  copy = graph;
+  for(const auto node : CGAL::make_range(vertices(*copy)))
+    (*copy)[node].value += base;
+  return *copy;
+}
 
 } // namespace reeb_graph_program
 

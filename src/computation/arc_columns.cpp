@@ -109,6 +109,11 @@ Arc_column size_column(const std::string& name, std::vector<double> sizes)
   return {{name, std::move(sizes)}, Arc_joining::WITH_ABSORBED, Arc_unit::PLAIN};
 }
 
+Arc_column mean_value_column(std::vector<double> means)
+{
+  return {{"mean_value", std::move(means)}, Arc_joining::MEAN_BY_AREA, Arc_unit::VALUE, false};
+}
+
 Arc_table join_arcs(const Arc_table& given,
                     const Graph& simplified,
                     const CGAL::Reeb_graph::Simplification<Graph>& simplification,

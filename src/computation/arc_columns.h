@@ -27,6 +27,7 @@ Arc_table table_of_graph(const Graph& graph);
 // The columns of what is measured on the mesh.
 Arc_column length_column(std::vector<double> lengths);
 Arc_column size_column(const std::string& name, std::vector<double> sizes); // the area or the volume
+Arc_column mean_value_column(std::vector<double> means);
 
 // How many vertices belong to each arc. `places` are those of the vertices, and of vertices of the mesh only.
 template <class VertexRange>

@@ -9,7 +9,6 @@
 #include "computation/levels_and_disks.h"
 
 #include "base/progress_bar.h"
-#include "computation/choose_contours.h"
 
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>

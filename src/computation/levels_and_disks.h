@@ -12,7 +12,6 @@
 #include "base/options.h"
 #include "base/surface.h"
 #include "computation/Mesh_graph.h"
-#include "computation/contours.h"
 #include "computation/curves.h"
 
 #include <cstddef>

@@ -14,6 +14,7 @@
 #include "computation/distances_along_edges.h"
 #include "computation/scalar_fields.h"
 #include "input/input_error.h"
+#include "input/limits_of_kinds.h"
 #include "input/mesh_input.h"
 #include "input/scalar_input.h"
 
@@ -73,6 +74,15 @@ std::string describe_obstacle(const Mesh& mesh)
                                 : "; reeb_graph repair leaves edges of no face out");
 }
 
+namespace {
+void check_kind(const std::string& what, const Input_options& options, const Mesh& mesh)
+{
+  const std::string reason = reason_against(what, mesh);
+  if(!reason.empty())
+    throw Input_error(options.mesh_path, reason);
+}
+} // namespace
+
 Mesh read_mesh(const Input_options& options, Work_report& report)
 {
   const Stopwatch stopwatch;
@@ -82,17 +92,14 @@ Mesh read_mesh(const Input_options& options, Work_report& report)
   report.add_seconds("read", stopwatch.seconds());
   report.notes.insert(report.notes.end(), mesh.notes.begin(), mesh.notes.end());
   report.input = mesh.findings;
-  if(mesh.complex && is_computed(options.field) && options.field != "height" && options.field != "geodesic")
-    throw Input_error(options.mesh_path,
-                      "the field " + options.field + " needs an oriented manifold surface; " + describe_obstacle(mesh));
+  check_kind("the field " + options.field, options, mesh);
   return mesh;
 }
 
-Surface read_surface(const Input_options& options, Work_report& report)
+Surface read_surface(const std::string& command, const Input_options& options, Work_report& report)
 {
   Mesh mesh = read_mesh(options, report);
-  if(mesh.complex)
-    throw Input_error(options.mesh_path, "the mesh is not an oriented manifold surface; " + describe_obstacle(mesh));
+  check_kind(command, options, mesh);
   return std::move(mesh.surface);
 }
 

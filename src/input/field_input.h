@@ -22,8 +22,8 @@ namespace reeb_graph_program {
 // options do not fit together, or there is no such field on a complex. The time goes into the report.
 Mesh read_mesh(const Input_options& options, Work_report& report);
 
-// The same for a mesh that has to be an oriented manifold surface.
-Surface read_surface(const Input_options& options, Work_report& report);
+// The same for a command that needs an oriented manifold surface.
+Surface read_surface(const std::string& command, const Input_options& options, Work_report& report);
 
 // Why the mesh is not an oriented manifold surface, and what repairs it.
 std::string describe_obstacle(const Mesh& mesh);

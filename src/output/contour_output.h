@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_CONTOUR_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_CONTOUR_OUTPUT_H
 
-#include "computation/contours.h"
+#include "computation/Mesh_graph.h"
 
 #include <string>
 

@@ -15,7 +15,6 @@
 #include "page/page_levels.h"
 #include "page/surface_follower.h"
 
-#include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -25,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace reeb_graph_program {
@@ -120,7 +120,11 @@ void add_contours(const Page_subject& subject, const Page_frame& frame, nlohmann
     {
       const double t = (double(i) + 0.5) / double(number_of_contours);
       const auto contour = subject.augmentation.contour(arc, t);
-      const Polyline polyline = CGAL::Reeb_graph::polyline_of_contour(subject.surface(), subject.augmentation, contour);
+      Polyline polyline;
+      polyline.reserve(contour.number_of_crossings() + 1);
+      subject.augmentation.points_of_contour(contour, std::back_inserter(polyline));
+      if(contour.is_closed())
+        polyline.push_back(polyline.front());
       nlohmann::ordered_json points = page_polyline(polyline, number_of_points, frame);
       points["t"] = t;
       points["value"] = number_or_string(contour.value);

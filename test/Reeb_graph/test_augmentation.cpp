@@ -123,8 +123,8 @@ struct Plain_augmentation
 template <class A>
 Plain_contour plain(const A& a, const typename A::Contour& contour)
 {
-  Plain_contour result = {contour.value, contour.is_closed, {}};
-  for(const auto h : contour.halfedges)
+  Plain_contour result = {contour.value, contour.is_closed(), {}};
+  for(const auto h : contour.edges)
     result.vertices.insert(result.vertices.end(), {a.numbers.source_vertex(h), a.numbers.target_vertex(h)});
   return result;
 }
@@ -465,7 +465,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(contours_at_a_hub_take_linear_time, Mesh, Meshes)
   const double seconds_of_contours = cpu_seconds([&] {
     number_of_contours += augmentation->contours_at_value(0.5).size();
     for(const auto arc : CGAL::make_range(edges(graph)))
-      number_of_contours += augmentation->contour(arc, 0.5).halfedges.empty() ? 0 : 1;
+      number_of_contours += augmentation->contour(arc, 0.5).edges.empty() ? 0 : 1;
   });
   BOOST_TEST(number_of_contours == number_of_peaks + num_edges(graph));
   BOOST_TEST(seconds_of_contours < 10 * seconds);
@@ -590,7 +590,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_order_of_the_traits_class, Scalar, Scalars)
       const Augmentation ascending(mesh, negative_map, negative_graph, np);
       const auto check_same = [](const auto& contour, const auto& expected) {
         BOOST_TEST(contour.value == -expected.value);
-        BOOST_TEST((contour.halfedges == expected.halfedges));
+        BOOST_TEST((contour.edges == expected.edges));
       };
       BOOST_TEST_REQUIRE(num_edges(graph) == num_edges(negative_graph));
       auto expected_arc = edges(negative_graph).first;
@@ -625,12 +625,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_contours_lie_on_their_edges, Mesh, Meshe
       a.augmentation.points_of_contour(contour, std::back_inserter(same_points),
                                        CGAL::parameters::vertex_point_map(points_of_vertices));
       BOOST_TEST((points == same_points));
-      BOOST_TEST_REQUIRE(points.size() == contour.halfedges.size());
+      BOOST_TEST_REQUIRE(points.size() == contour.edges.size());
       for(std::size_t i = 0; i < points.size(); ++i)
       {
         const auto& p = points[i];
-        const auto lower = get(points_of_vertices, source(contour.halfedges[i], mesh));
-        const auto upper = get(points_of_vertices, target(contour.halfedges[i], mesh));
+        const auto lower = get(points_of_vertices, source(contour.edges[i], mesh));
+        const auto upper = get(points_of_vertices, target(contour.edges[i], mesh));
         BOOST_TEST(std::abs(0.9 * p.x() + 0.3 * p.y() + 0.2 * p.z() - contour.value) < 1e-9);
         const double detour = std::sqrt(CGAL::squared_distance(lower, p)) + std::sqrt(CGAL::squared_distance(p, upper))
                             - std::sqrt(CGAL::squared_distance(lower, upper));

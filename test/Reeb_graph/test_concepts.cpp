@@ -395,7 +395,7 @@ void test_contours(const Augmentation& augmentation, const Numbers& numbers, std
          std::make_pair(critical_set.upper_contours, expected.upper_contours)})
       for(std::size_t i = 0; i < expected_contours.size(); ++i)
       {
-        BOOST_TEST((contours.at(i).halfedges == expected_contours[i].halfedges));
+        BOOST_TEST((contours.at(i).edges == expected_contours[i].edges));
         BOOST_TEST((has_values ? contours[i].value == expected_contours[i].value : std::isnan(contours[i].value)));
       }
   }
@@ -427,9 +427,9 @@ BOOST_AUTO_TEST_CASE(contours_of_scalars_that_are_no_numbers)
         for(const double t : {0.1, 0.5, 0.9})
         {
           const auto contour = converting.contour(arc, t), expected = numbers.contour(*number_arc, t);
-          BOOST_TEST((contour.halfedges == expected.halfedges));
+          BOOST_TEST((contour.edges == expected.edges));
           BOOST_TEST(contour.value == expected.value);
-          BOOST_TEST(!plain.contour(arc, t).halfedges.empty());
+          BOOST_TEST(!plain.contour(arc, t).edges.empty());
           std::vector<mesh_builders::Point> points, expected_points;
           converting.points_of_contour(contour, std::back_inserter(points));
           numbers.points_of_contour(expected, std::back_inserter(expected_points));

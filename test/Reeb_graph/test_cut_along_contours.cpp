@@ -70,8 +70,8 @@ struct Cut_sample
       order.emplace(v, std::make_pair(get(scalar_map, v), order.size()));
     for(const auto& contour : contours)
     {
-      levels.push_back(order.at(source(contour.halfedges.front(), mesh)));
-      for(const halfedge_descriptor h : contour.halfedges)
+      levels.push_back(order.at(source(contour.edges.front(), mesh)));
+      for(const halfedge_descriptor h : contour.edges)
         levels.back() = (std::max)(levels.back(), order.at(source(h, mesh)));
     }
   }
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(many_contours_at_a_time, Mesh, Meshes)
       long number_of_open_curves = 0;
       for(std::size_t i = 0; i < sample.curves.size(); ++i)
       {
-        BOOST_TEST(sample.curves[i].is_closed == sample.contours[i].is_closed);
+        BOOST_TEST(sample.curves[i].is_closed == sample.contours[i].is_closed());
         BOOST_TEST(sample.curves[i].value == sample.contours[i].value);
         number_of_open_curves += sample.curves[i].is_closed ? 0 : 1;
       }
@@ -296,16 +296,16 @@ BOOST_AUTO_TEST_CASE(what_is_no_contour_is_refused)
     BOOST_TEST(num_vertices(sample.mesh) == number_of_vertices);
     BOOST_TEST(sample.curves.empty());
   };
-  BOOST_REQUIRE(Sample_of_mesh(input).contours.at(2).is_closed);
-  check([](Sample_of_mesh& sample) { sample.contours[2].halfedges.clear(); });
-  check([](Sample_of_mesh& sample) { sample.contours[2].halfedges.pop_back(); });
-  check([](Sample_of_mesh& sample) { sample.contours[2].is_closed = false; });
+  BOOST_REQUIRE(Sample_of_mesh(input).contours.at(2).is_closed());
+  check([](Sample_of_mesh& sample) { sample.contours[2].edges.clear(); });
+  check([](Sample_of_mesh& sample) { sample.contours[2].edges.pop_back(); });
+  check([](Sample_of_mesh& sample) { sample.contours[2].is_cyclic = false; });
   check([](Sample_of_mesh& sample) {
-    auto& halfedges = sample.contours[2].halfedges;
+    auto& halfedges = sample.contours[2].edges;
     std::reverse(halfedges.begin(), halfedges.end());
   });
   check([](Sample_of_mesh& sample) {
-    for(auto& h : sample.contours[2].halfedges)
+    for(auto& h : sample.contours[2].edges)
       h = opposite(h, sample.mesh);
   });
 }

@@ -467,13 +467,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(contours_next_to_vertices, Mesh, Meshes)
       const auto critical_set = s.augmentation.critical_set(node);
       for(const auto& expected : critical_set.lower_contours)
       {
-        BOOST_TEST((s.augmentation.contour_below(expected.arc, vertex).halfedges == expected.halfedges));
+        BOOST_TEST((s.augmentation.contour_below(expected.arc, vertex).edges == expected.edges));
         BOOST_TEST(s.augmentation.contour_below(expected.arc, vertex).value == s.augmentation.value(vertex));
         BOOST_CHECK_THROW(s.augmentation.contour_above(expected.arc, vertex), CGAL::Reeb_graph::Parameter_error);
       }
       for(const auto& expected : critical_set.upper_contours)
       {
-        BOOST_TEST((s.augmentation.contour_above(expected.arc, vertex).halfedges == expected.halfedges));
+        BOOST_TEST((s.augmentation.contour_above(expected.arc, vertex).edges == expected.edges));
         BOOST_TEST(s.augmentation.contour_above(expected.arc, vertex).value == s.augmentation.value(vertex));
         BOOST_CHECK_THROW(s.augmentation.contour_below(expected.arc, vertex), CGAL::Reeb_graph::Parameter_error);
       }

@@ -528,7 +528,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_ties_than_those_of_the_graph_are_refused_at_
         const Augmentation augmentation(mesh, scalar_map, graph, parameters::ties(ties));
         for(const auto node : CGAL::make_range(vertices(graph)))
           for(const auto& contour : augmentation.critical_set(node).upper_contours)
-            for(const auto h : contour.halfedges)
+            for(const auto h : contour.edges)
               BOOST_TEST(get(scalar_map, source(h, mesh)) <= get(scalar_map, target(h, mesh)));
       };
       if(has_flat_arc)

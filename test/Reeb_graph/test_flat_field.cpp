@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(copies_and_augmentations_keep_their_values, Mesh, 
   const auto contour =
     CGAL::Reeb_graph::Augmentation<Mesh, graph_checks::Scalar_map_of<Mesh>, decltype(graph)>(mesh, scalar_map, graph)
       .contour(arc, 0.5);
-  BOOST_TEST(augmentation.contour(arc, 0.5).halfedges == contour.halfedges);
+  BOOST_TEST(augmentation.contour(arc, 0.5).edges == contour.edges);
   BOOST_TEST(&flat_field.mesh() == &mesh);
 }
 

@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(contours_of_loops_part_nothing)
 
       std::vector<std::vector<mesh_builders::Point>> polylines;
       for(const auto& contour : contours)
-        polylines.push_back(CGAL::Reeb_graph::polyline_of_contour(mesh, augmentation, contour));
+        polylines.push_back(CGAL::Reeb_graph::polylines_of_contour(augmentation, contour).front());
       for(std::size_t i = 0; i < curves.size(); ++i)
       {
         const auto polyline = CGAL::Reeb_graph::polyline_of_curve(cut_mesh, curves[i]);

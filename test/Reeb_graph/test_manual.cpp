@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(way_back)
   const auto level_set = augmentation.contours_at_value(2.5); // a vector of contours, of all arcs
   const auto places = augmentation.locate_vertices();         // the arc or node of each vertex
   //! [augmentation]
-  BOOST_TEST(contour.halfedges.size() > 2);
+  BOOST_TEST(contour.edges.size() > 2);
   BOOST_TEST(at_value.value == 2.5);
 
   //! [measures]

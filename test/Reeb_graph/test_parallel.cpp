@@ -318,7 +318,7 @@ BOOST_AUTO_TEST_CASE(places_of_vertices_and_contours)
         const auto expected = augmentation.contours_at_value(value);
         const auto contours = augmentation.contours_at_value<Parallel>(value);
         BOOST_TEST(std::equal(contours.begin(), contours.end(), expected.begin(), expected.end(),
-                              [](const auto& a, const auto& b) { return a.halfedges == b.halfedges; }));
+                              [](const auto& a, const auto& b) { return a.edges == b.edges; }));
       }
     });
 }

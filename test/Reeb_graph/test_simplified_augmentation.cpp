@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(contours_are_those_of_the_branch_kept, Mesh, Meshe
             const auto lower = sample.graph[source(old_arc, sample.graph)].value;
             const auto upper = sample.graph[target(old_arc, sample.graph)].value;
             if(lower <= contour.value && contour.value < upper)
-              number_of_same += augmentation.contour_at_value(old_arc, contour.value).halfedges == contour.halfedges;
+              number_of_same += augmentation.contour_at_value(old_arc, contour.value).edges == contour.edges;
           }
           const bool is_between_values = sample.simplified[source(arc, sample.simplified)].value <= contour.value
                                       && contour.value < sample.simplified[target(arc, sample.simplified)].value;

@@ -117,11 +117,11 @@ BOOST_AUTO_TEST_CASE(contours_of_a_surface_are_those_of_its_soup)
           soup_augmentation.points_of_contour(soup_contour, std::back_inserter(found), points);
           BOOST_TEST(soup_contour.value == contour.value);
           BOOST_TEST(soup_contour.branch_points.empty());
-          const auto polylines = CGAL::Reeb_graph::polylines_of_contour(soup_contour, points);
+          const auto polylines = CGAL::Reeb_graph::polylines_of_contour(soup_augmentation, soup_contour, points);
           BOOST_REQUIRE(polylines.size() == 1);
-          BOOST_TEST((soup_contour.polylines[0].front() == soup_contour.polylines[0].back()) == contour.is_closed);
-          const std::vector<Point> ordered(polylines[0].begin() + (contour.is_closed ? 1 : 0), polylines[0].end());
-          BOOST_TEST(is_turned(ordered, expected, contour.is_closed));
+          BOOST_TEST((soup_contour.polylines[0].front() == soup_contour.polylines[0].back()) == contour.is_closed());
+          const std::vector<Point> ordered(polylines[0].begin() + (contour.is_closed() ? 1 : 0), polylines[0].end());
+          BOOST_TEST(is_turned(ordered, expected, contour.is_closed()));
           std::sort(found.begin(), found.end());
           std::sort(expected.begin(), expected.end());
           BOOST_TEST((found == expected));

@@ -147,10 +147,10 @@ BOOST_AUTO_TEST_CASE(arcs_of_soups_and_tetrahedra_are_measured)
     const auto lengths = Reeb_graph::arc_lengths(mesh, scalar_map, graph);
     const auto areas = Reeb_graph::arc_areas(mesh, graph, augmentation.locate_vertices());
     const auto soup_lengths = Reeb_graph::arc_lengths(soup_augmentation, points);
-    const auto soup_areas = Reeb_graph::arc_areas(soup_augmentation, points, soup_augmentation.locate_vertices());
+    const auto soup_areas = Reeb_graph::arc_areas(soup_augmentation, soup_augmentation.locate_vertices(), points);
     BOOST_REQUIRE(soup_lengths.size() == lengths.size());
     const auto means = Reeb_graph::arc_mean_values(mesh, scalar_map, graph, augmentation.locate_vertices());
-    const auto soup_means = Reeb_graph::arc_mean_values(soup_augmentation, points, soup_augmentation.locate_vertices());
+    const auto soup_means = Reeb_graph::arc_mean_values(soup_augmentation, soup_augmentation.locate_vertices(), points);
     BOOST_REQUIRE(soup_areas.size() == areas.size());
     BOOST_REQUIRE(soup_means.size() == areas.size());
     for(std::size_t arc = 0; arc < lengths.size(); ++arc)
@@ -177,11 +177,11 @@ BOOST_AUTO_TEST_CASE(arcs_of_soups_and_tetrahedra_are_measured)
   Graph graph;
   CGAL::compute_reeb_graph_of_tetrahedra(points, solid.tetrahedra, values, graph);
   const Tetrahedra_augmentation augmentation(points, solid.tetrahedra, values, graph);
-  const auto volumes = Reeb_graph::arc_volumes(augmentation, points, augmentation.locate_vertices());
+  const auto volumes = Reeb_graph::arc_volumes(augmentation, augmentation.locate_vertices(), points);
   BOOST_TEST(volumes.size() == num_edges(graph));
   BOOST_TEST(std::accumulate(volumes.begin(), volumes.end(), 0.) == volume, tolerance);
   BOOST_TEST(Reeb_graph::arc_lengths(augmentation, points).size() == num_edges(graph));
-  const auto means = Reeb_graph::arc_mean_values(augmentation, points, augmentation.locate_vertices());
+  const auto means = Reeb_graph::arc_mean_values(augmentation, augmentation.locate_vertices(), points);
   BOOST_TEST(std::inner_product(means.begin(), means.end(), volumes.begin(), 0.) == integral, tolerance);
 }
 
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(means_of_edges_are_in_the_middle)
   Graph graph;
   CGAL::compute_reeb_graph_of_soup(points, triangles, values, graph, CGAL::parameters::edges(edges));
   const Soup_augmentation augmentation(points, triangles, values, graph, CGAL::parameters::edges(edges));
-  const auto means = CGAL::Reeb_graph::arc_mean_values(augmentation, points, augmentation.locate_vertices());
+  const auto means = CGAL::Reeb_graph::arc_mean_values(augmentation, augmentation.locate_vertices(), points);
   BOOST_TEST(means == (std::vector<double>{2, 8.5}), boost::test_tools::per_element());
 }
 

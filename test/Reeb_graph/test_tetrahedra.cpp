@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(a_triangulation_has_a_graph_in_space_and_volumes)
   const CGAL::Reeb_graph::Tetrahedra_augmentation augmentation(points, cells.tetrahedra, scalars, graph);
   //! [embed_complex]
   const auto embedding = CGAL::Reeb_graph::embed(augmentation, points);
-  const auto volumes = CGAL::Reeb_graph::arc_volumes(augmentation, points, augmentation.locate_vertices());
+  const auto volumes = CGAL::Reeb_graph::arc_volumes(augmentation, augmentation.locate_vertices(), points);
   //! [embed_complex]
   BOOST_TEST(embedding.node_points.size() == 2);
   BOOST_TEST(volumes.at(0) == 6, boost::test_tools::tolerance(1e-12));

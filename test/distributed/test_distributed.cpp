@@ -421,14 +421,14 @@ std::vector<Contour> contours_of_whole(const Surface<double>& surface, double va
   for(const auto& contour : augmentation.contours_at_value(value))
   {
     Edges edges;
-    for(const auto h : contour.halfedges)
+    for(const auto h : contour.edges)
       edges.emplace_back(numbers.vertex(source(h, mesh)), numbers.vertex(target(h, mesh)));
-    if(contour.is_closed)
+    if(contour.is_closed())
       std::rotate(edges.begin(),
                   std::min_element(edges.begin(), edges.end(),
                                    [](const auto& a, const auto& b) { return sorted_edge(a) < sorted_edge(b); }),
                   edges.end());
-    contours.push_back({contour.is_closed, edges});
+    contours.push_back({contour.is_closed(), edges});
   }
   const auto least_edge = [](const Contour& contour) {
     std::pair<std::uint64_t, std::uint64_t> least = sorted_edge(contour.edges.front());

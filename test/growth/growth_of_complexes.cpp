@@ -47,8 +47,8 @@ struct Soup
                              const VertexPlaces& vertex_places)
   {
     return 0
-         * (arc_areas(augmentation, points, vertex_places).size()
-            + arc_mean_values(augmentation, points, vertex_places).size());
+         * (arc_areas(augmentation, vertex_places, points).size()
+            + arc_mean_values(augmentation, vertex_places, points).size());
   }
 };
 
@@ -69,8 +69,8 @@ struct Solid
                              const VertexPlaces& vertex_places)
   {
     return 0
-         * (arc_volumes(augmentation, points, vertex_places).size()
-            + arc_mean_values(augmentation, points, vertex_places).size());
+         * (arc_volumes(augmentation, vertex_places, points).size()
+            + arc_mean_values(augmentation, vertex_places, points).size());
   }
 };
 

@@ -69,7 +69,7 @@ std::size_t length(const std::vector<Surface_contour>& contours)
 {
   std::size_t sum = contours.size();
   for(const Surface_contour& contour : contours)
-    sum += contour.halfedges.size();
+    sum += contour.edges.size();
   return sum;
 }
 
@@ -119,7 +119,7 @@ Functions functions_of_augmentation()
        std::size_t sum = 0, number = 0;
        for(const auto arc : CGAL::make_range(edges(s.graph)))
          if(number++ % 8 == 0)
-           sum += 1 + s.augmentation->contour(arc, 0.5).halfedges.size();
+           sum += 1 + s.augmentation->contour(arc, 0.5).edges.size();
        return sum;
      }},
     {"critical_set, of each node",

@@ -178,7 +178,7 @@ private:
     BOOST_TEST(edges_of(oracle, contour) == expected);
     const auto& chain = graph[arcs[arc]].chain;
     BOOST_TEST((std::find(chain.begin(), chain.end(), contour.edges.front()) != chain.end()));
-    BOOST_TEST(fault_of_points(oracle, contour, values) == "");
+    BOOST_TEST(fault_of_points(oracle, augmentation, contour, values) == "");
     BOOST_TEST(fault_of_shape(augmentation, contour, complex) == "");
   }
 

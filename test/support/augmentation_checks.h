@@ -63,7 +63,7 @@ struct Augmented_mesh
   Edges edges_of(const Contour& contour) const
   {
     Edges result;
-    for(const auto h : contour.halfedges)
+    for(const auto h : contour.edges)
       result.push_back(numbers.edge(h));
     std::sort(result.begin(), result.end());
     return result;
@@ -141,7 +141,7 @@ private:
 template <class A>
 std::string fault_of_curve(const A& a, const typename A::Contour& contour)
 {
-  const auto& halfedges = contour.halfedges;
+  const auto& halfedges = contour.edges;
   if(halfedges.empty())
     return "the contour is empty";
   const Edges edges = a.edges_of(contour);
@@ -154,7 +154,7 @@ std::string fault_of_curve(const A& a, const typename A::Contour& contour)
   for(std::size_t i = 0; i + 1 < halfedges.size(); ++i)
     if(!leads_to(halfedges[i], halfedges[i + 1]))
       return "the contour has a gap, or the higher side on the right";
-  if(contour.is_closed)
+  if(contour.is_closed())
     return leads_to(halfedges.back(), halfedges.front()) ? "" : "the contour is not closed";
   const bool is_between_borders =
     is_border(halfedges.front(), a.mesh) && is_border(opposite(halfedges.back(), a.mesh), a.mesh);
@@ -255,7 +255,7 @@ template <class Contours>
 bool are_same_contours(const Contours& a, const Contours& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& c, const auto& d) {
-    return c.arc == d.arc && c.value == d.value && c.is_closed == d.is_closed && c.halfedges == d.halfedges;
+    return c.arc == d.arc && c.value == d.value && c.is_closed() == d.is_closed() && c.edges == d.edges;
   });
 }
 
@@ -287,7 +287,7 @@ std::string fault_of_contour_at_value(const A& a,
     try
     {
       const auto single = a.augmentation.contour_at_value(arc, value);
-      if(!is_alive || single.halfedges != contour->halfedges || single.value != contour->value)
+      if(!is_alive || single.edges != contour->edges || single.value != contour->value)
         return "the contour of an arc at a value is not the one among those of all arcs";
     }
     catch(const CGAL::Reeb_graph::Parameter_error&)
@@ -465,7 +465,7 @@ std::string fault_of_critical_sets(const A& a, const Oracle_contours& oracle_con
         if(oracle_contours.at_level(is_upper ? rank : rank - 1).at(arcs[i]) != a.edges_of(contour)
            || !fault_of_curve(a, contour).empty())
           return name + "another contour";
-        if(std::none_of(contour.halfedges.begin(), contour.halfedges.end(),
+        if(std::none_of(contour.edges.begin(), contour.edges.end(),
                         [&](auto h) { return (is_upper ? source(h, a.mesh) : target(h, a.mesh)) == v; }))
           return name + "a contour does not touch it";
       }

@@ -40,15 +40,16 @@ std::vector<std::size_t> edges_of(const Oracle& oracle, const Contour& contour)
 }
 
 // Each edge leads upwards, and holds the value where its fraction says.
-template <class Contour, class Scalar>
-std::string fault_of_points(const Oracle& oracle, const Contour& contour, const std::vector<Scalar>& values)
+template <class Augmentation, class Contour, class Scalar>
+std::string fault_of_points(const Oracle& oracle,
+                            const Augmentation& augmentation,
+                            const Contour& contour,
+                            const std::vector<Scalar>& values)
 {
-  if(contour.fractions.size() != contour.edges.size())
-    return "a point without a place";
   for(std::size_t i = 0; i < contour.edges.size(); ++i)
   {
     const auto& edge = contour.edges[i];
-    const double lower = values[edge.first], upper = values[edge.second], t = contour.fractions[i];
+    const double lower = values[edge.first], upper = values[edge.second], t = augmentation.fraction(contour, i);
     if(oracle.rank[edge.first] >= oracle.rank[edge.second])
       return "an edge leads downwards";
     if(!(t >= 0 && t <= 1) || std::abs(lower + t * (upper - lower) - contour.value) > 1e-12)
@@ -111,10 +112,13 @@ std::string fault_of_polylines(const Contour& contour, const std::set<Simplex>& 
       branch_points.push_back(i);
   if(contour.branch_points != branch_points)
     return "other branch points";
+  const bool is_closed = std::all_of(degrees.begin(), degrees.end(), [](std::size_t degree) { return degree == 2; });
+  if(contour.is_closed() != is_closed)
+    return "the contour is closed, or not";
   std::set<Edge> found;
   for(const auto& polyline : contour.polylines)
   {
-    if(polyline.size() < 2)
+    if(polyline.size() < 2 && contour.edges.size() > 1)
       return "a polyline of no line";
     for(std::size_t i = 1; i < polyline.size(); ++i)
       if(!found.insert(complex_oracle::make_edge(polyline[i - 1], polyline[i])).second)
@@ -122,9 +126,8 @@ std::string fault_of_polylines(const Contour& contour, const std::set<Simplex>& 
     for(std::size_t i = 1; i + 1 < polyline.size(); ++i)
       if(degrees[polyline[i]] != 2)
         return "a polyline passes a point at which it should end";
-    const bool is_closed_curve = polyline.front() == polyline.back() && contour.polylines.size() == 1;
     for(const std::size_t end : {polyline.front(), polyline.back()})
-      if(degrees[end] == 2 && !is_closed_curve)
+      if(degrees[end] == 2 && !contour.is_closed())
         return "a polyline ends inside of a line";
   }
   return found == expected ? "" : "other lines";
@@ -168,6 +171,10 @@ std::string fault_of_patch(const Contour& contour, const std::set<Simplex>& tetr
   for(const auto& t : contour.triangles)
     for(std::size_t i = 0; i < 3; ++i)
       ++sides[complex_oracle::make_edge(t[i], t[(i + 1) % 3])];
+  const bool is_closed =
+    !sides.empty() && std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.second > 1; });
+  if(contour.is_closed() != is_closed)
+    return "the contour has a border, or not";
   for(const auto& section : expected)
   {
     number_of_triangles += section.second;

@@ -17,23 +17,27 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/internal/way_back/Arc_contours.h>
+#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
-#include <CGAL/Reeb_graph/internal/way_back/find_vertex_places.h>
-#include <CGAL/Reeb_graph/internal/way_back/locate_vertices.h>
+#include <CGAL/Reeb_graph/internal/way_back/vertex_places.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/Iterator_range.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -132,15 +136,16 @@ private:
 /// critical sets of nodes, and the place of each vertex in the graph.
 ///
 /// It implements the map \f$ F: R(M, f) \to M \f$ of \cgalCite{hr-edrprg-20}, Section 6. `Augmentation`,
-/// `Soup_augmentation` and `Tetrahedra_augmentation` derive from it; they differ in what they are constructed from, and
-/// in what a contour is.
+/// `Soup_augmentation` and `Tetrahedra_augmentation` are names of it for each kind of input, which tell what they are
+/// constructed from. What a contour is differs, but not how it is read: see `Crossed_edges`. So a function that takes a
+/// `Basic_augmentation` runs on all three.
 ///
 /// The graph has to outlive it and must not change. It can be neither copied nor moved. All member functions can be
 /// called from several threads at a time. Those that return contours throw `Graph_mismatch_error` if the chain of an
 /// arc does not lead to them, and for an arc or a node that is none of the graph. `Unknown_vertex_error` is thrown for a
 /// vertex that is none of the mesh.
 ///
-/// \tparam GraphOnMesh unspecified: a graph with the mesh that it is of
+/// \tparam GraphOnMesh unspecified: a graph with the cells that it is of: the faces of a mesh, triangles, or tetrahedra
 template <class GraphOnMesh>
 class Basic_augmentation
 {
@@ -162,7 +167,7 @@ public:
 
   /// a contour: `Reeb_graph::Contour` on a mesh, `Soup_contour` in triangles, `Isosurface_patch` in tetrahedra
   typedef typename GraphOnMesh::Contour Contour;
-  /// a critical set: `Reeb_graph::Critical_set` on a mesh, else `Soup_critical_set`
+  /// a critical set: a `Reeb_graph::Critical_set`
   typedef typename GraphOnMesh::Critical_set Critical_set;
   /// the places of all vertices
   typedef Reeb_graph::Vertex_places<vertex_descriptor, Graph> Vertex_places;
@@ -183,7 +188,7 @@ public:
   /// the vertices of the chain are counted instead.
   ///
   /// \exception Parameter_error if `t` is not greater than 0 and less than 1
-  Contour contour(arc_descriptor arc, double t) const { return contours_.at_parameter(arc, t); }
+  Contour contour(arc_descriptor arc, double t) const { return contour_at_parameter(arc, t); }
 
   /// \brief returns the contour of an arc at a place between its ends, parametrized by another field.
   ///
@@ -200,14 +205,20 @@ public:
   template <class ParametrizationMap>
   Contour contour(arc_descriptor arc, double t, ParametrizationMap parametrization) const
   {
-    return contours_.at_parameter(arc, t, parametrization);
+    return contour_at_parameter(arc, t, parametrization);
   }
 
   /// \brief returns the contour of an arc at the level just above the last vertex of value at most `value`.
   ///
   /// \exception Parameter_error if the arc has no contour at that level: its lower node must not be higher, and its upper
   ///            node must be higher than `value`
-  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const { return contours_.at_value(arc, value); }
+  Contour contour_at_value(arc_descriptor arc, const Scalar& value) const
+  {
+    internal::check_is_arc(graph(), arc);
+    if(!is_alive_at(arc, value))
+      throw Parameter_error("the arc has no contour at this level");
+    return trace(arc, level_at_value(value));
+  }
 
   /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near. Just
   /// below the upper node of the arc, it is one of the critical set of that.
@@ -216,7 +227,7 @@ public:
   ///            upper node must not be; if ties are contracted, in value
   Contour contour_below(arc_descriptor arc, vertex_descriptor v) const
   {
-    return contours_.beside_vertex(internal::Side::LOWER, arc, v);
+    return contour_beside(internal::Side::LOWER, arc, v);
   }
 
   /// \brief returns the contour of an arc at the level just above a vertex, which the contour need not be near. Just
@@ -226,7 +237,7 @@ public:
   ///            its upper node must be; if ties are contracted, in value
   Contour contour_above(arc_descriptor arc, vertex_descriptor v) const
   {
-    return contours_.beside_vertex(internal::Side::UPPER, arc, v);
+    return contour_beside(internal::Side::UPPER, arc, v);
   }
 
   /// \brief returns the contours of all arcs at the level just above the last vertex of value at most `value`: all
@@ -238,7 +249,21 @@ public:
   template <class ConcurrencyTag = Sequential_tag>
   std::vector<Contour> contours_at_value(const Scalar& value) const
   {
-    return contours_.template all_at_value<ConcurrencyTag>(value);
+    const Level level = level_at_value(value);
+    std::vector<arc_descriptor> arcs;
+    std::vector<decltype(find_start(arcs[0], level))> starts;
+    for(const arc_descriptor arc : on_mesh_.arcs())
+    {
+      if(is_alive_at(arc, value))
+      {
+        arcs.push_back(arc);
+        starts.push_back(find_start(arc, level));
+      }
+    }
+    std::vector<Contour> contours(arcs.size());
+    internal::for_each_index<ConcurrencyTag>(
+      arcs.size(), [&](std::size_t i) { contours[i] = on_mesh_.trace(arcs[i], starts[i], level); });
+    return contours;
   }
 
   /// \brief returns what a node stands for: the contours just below and just above it that touch it, each with its
@@ -247,8 +272,49 @@ public:
   Critical_set critical_set(node_descriptor node) const
   {
     internal::check_is_node(graph(), node);
-    return on_mesh_.critical_set(node, contours_.all_beside_node(internal::Side::LOWER, node, in_edges(node, graph())),
-                                 contours_.all_beside_node(internal::Side::UPPER, node, out_edges(node, graph())));
+    const auto contours_of = [&](const auto& arcs, internal::Side side) {
+      std::vector<Contour> contours;
+      for(const arc_descriptor arc : CGAL::make_range(arcs))
+        contours.push_back(trace(arc, level_beside(side, on_mesh_.node_vertex(node))));
+      return contours;
+    };
+    return {contours_of(in_edges(node, graph()), internal::Side::LOWER),
+            contours_of(out_edges(node, graph()), internal::Side::UPPER), on_mesh_.star(node),
+            on_mesh_.border_loop(node)};
+  }
+
+  /// \brief returns where on its edge point number `i` of a contour is, by linear interpolation: 0 at the lower vertex, 1
+  /// at the higher one.
+  double fraction(const Contour& contour, std::size_t i) const
+  {
+    return internal::crossing_fraction(on_mesh_, contour.edge(i), contour.value);
+  }
+
+  /// \brief writes the points of a contour, by linear interpolation, in the order of its edges.
+  ///
+  /// \tparam OutputIterator a model of `OutputIterator` for points
+  /// \tparam Points for a soup and for tetrahedra, a random access range of the points of the vertices. For a mesh, a
+  ///         model of `ReadablePropertyMap` with their points, or \ref bgl_namedparameters "Named Parameters", of which
+  ///         `vertex_point_map` counts; by default, they are those of the mesh. All functions that take an augmentation
+  ///         and points take them so
+  ///
+  /// \param contour a contour
+  /// \param output the output; the first point is not repeated at the end
+  /// \param points the points of the vertices
+  ///
+  /// \returns the output iterator behind the last point.
+  ///
+  /// \exception Attribute_count_error if points are a range, and not one for each vertex
+  template <class OutputIterator, class Points = parameters::Default_named_parameters>
+  OutputIterator points_of_contour(const Contour& contour,
+                                   OutputIterator output,
+                                   const Points& points = parameters::default_values()) const
+  {
+    const auto point_map = on_mesh_.point_map(points); // It may return points that do not outlive the descriptor.
+    for(std::size_t i = 0; i != contour.number_of_crossings(); ++i)
+      *output++ = internal::point_between(get(point_map, source(contour.edge(i), mesh())),
+                                          get(point_map, target(contour.edge(i), mesh())), fraction(contour, i));
+    return output;
   }
 
   /// \brief finds the place of each vertex in the graph: the segmentation by the arcs.
@@ -271,6 +337,9 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
+  // The cells and the points, for those who measure them.
+  const GraphOnMesh& on_mesh() const { return on_mesh_; }
+
 protected:
   // From what a GraphOnMesh is made of besides a traits class, the named parameters, and the progress.
   template <class NamedParameters, class... Input>
@@ -279,7 +348,6 @@ protected:
       are_degree_two_nodes_kept_(
         parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
       on_mesh_(input..., internal::choose_traits<Traits>(np), np, progress),
-      contours_(on_mesh_, ties_),
       simplified_places_(internal::read_simplified_places(np))
   {
     static_assert(std::is_same_v<internal::Chosen_traits<Traits, NamedParameters>, Traits>,
@@ -288,17 +356,152 @@ protected:
     internal::check_arcs(on_mesh_, ties_);
     progress.report_end();
   }
-
-  const GraphOnMesh& on_mesh() const { return on_mesh_; }
 #endif
 
 private:
   typedef typename GraphOnMesh::Traits Traits;
+  typedef internal::Level<Scalar, typename GraphOnMesh::Order> Is_below;
+
+  // A level with its value.
+  struct Level
+  {
+    Is_below is_below;
+    double value;
+  };
+
+  bool are_ties_contracted() const { return ties_ == Ties::CONTRACT; }
+
+  // The contour at a fraction of the values, or of the differences of another field, along the arc.
+  template <class... ParametrizationMap>
+  Contour contour_at_parameter(arc_descriptor arc, double t, const ParametrizationMap&... parametrization) const
+  {
+    internal::check_is_arc(graph(), arc);
+    if(!(t > 0 && t < 1))
+      throw Parameter_error("the place on an arc must be greater than 0 and less than 1, not " + std::to_string(t));
+    return trace(arc, level_at_parameter(arc, t, parametrization...));
+  }
+
+  // Just below the vertex, or just above it.
+  Contour contour_beside(internal::Side side, arc_descriptor arc, vertex_descriptor v) const
+  {
+    const Level level = level_beside(side, internal::checked_number(on_mesh_, v));
+    internal::check_is_arc(graph(), arc);
+    if(!level.is_below(on_mesh_.lower_vertex(arc)) || level.is_below(on_mesh_.upper_vertex(arc)))
+      throw Parameter_error("the arc has no contour at this level");
+    return trace(arc, level);
+  }
+
+  // Where the chain of the arc crosses the level. Chains can overlap where a piece ends; then the later one is inside the
+  // arc.
+  auto find_start(arc_descriptor arc, const Level& level) const
+  {
+    const auto& chain = on_mesh_.chain(arc);
+    const auto is_source_below = [&](const auto& h) { return level.is_below(on_mesh_.checked_source(h)); };
+    const auto h = std::partition_point(chain.begin() + 1, chain.end(), is_source_below)[-1];
+    if(!is_source_below(h) || level.is_below(on_mesh_.checked_target(h)))
+      throw Graph_mismatch_error();
+    return on_mesh_.find_start(h);
+  }
+
+  Contour trace(arc_descriptor arc, const Level& level) const
+  {
+    return on_mesh_.trace(arc, find_start(arc, level), level);
+  }
+
+  // Whether the level of the value crosses the arc.
+  bool is_alive_at(arc_descriptor arc, const Scalar& value) const
+  {
+    return !on_mesh_.order().is_higher(on_mesh_.lower_vertex(arc), value)
+        && on_mesh_.order().is_higher(on_mesh_.upper_vertex(arc), value);
+  }
+
+  Level level_at_value(const Scalar& value) const
+  {
+    return {Is_below(on_mesh_.order(), internal::Side::UPPER, value), on_mesh_.conversion().to_double(value)};
+  }
+
+  Level level_beside(internal::Side side, internal::Vertex_index v) const
+  {
+    return {are_ties_contracted() ? Is_below(on_mesh_.order(), side, on_mesh_.scalar(v))
+                                  : Is_below(on_mesh_.order(), side, v),
+            on_mesh_.value(v)};
+  }
+
+  // The level at the fraction t of the values along the arc.
+  Level level_at_parameter(arc_descriptor arc, double t) const
+  {
+    const double lower = on_mesh_.value(on_mesh_.lower_vertex(arc)), upper = on_mesh_.value(on_mesh_.upper_vertex(arc));
+    const auto& chain = on_mesh_.chain(arc);
+    const std::size_t step =
+      (std::min)(static_cast<std::size_t>(t * static_cast<double>(chain.size())), chain.size() - 1);
+    return between(arc, internal::value_at_fraction(lower, upper, t), on_mesh_.source_of(chain[step]));
+  }
+
+  // The level at the fraction t of the differences of another field, summed up along the chain.
+  template <class ParametrizationMap>
+  Level level_at_parameter(arc_descriptor arc, double t, const ParametrizationMap& parametrization) const
+  {
+    const auto& chain = on_mesh_.chain(arc);
+    const double scale = 0.5 / static_cast<double>(chain.size()); // so that no sum is infinite
+    const auto scaled_value = [&](internal::Vertex_index v) {
+      const double value = static_cast<double>(get(parametrization, on_mesh_.vertex(v)));
+      if(!std::isfinite(value))
+        throw Non_finite_scalar_error(on_mesh_.position(v));
+      return scale * value;
+    };
+    std::vector<double> sums = {0};
+    for(std::size_t i = 0; i != chain.size(); ++i)
+    {
+      const double difference = scaled_value(on_mesh_.target_of(chain[i])) - scaled_value(on_mesh_.source_of(chain[i]));
+      sums.push_back(sums.back() + std::abs(difference) * used_fraction(arc, i));
+    }
+    const double sum = t * sums.back();
+    if(!(sum > 0))
+      return level_at_parameter(arc, t);
+    const std::size_t step =
+      (std::min)(std::size_t(std::lower_bound(sums.begin() + 1, sums.end(), sum) - sums.begin()), chain.size()) - 1;
+    const double fraction = used_fraction(arc, step) * (sum - sums[step]) / (sums[step + 1] - sums[step]);
+    const internal::Vertex_index from = on_mesh_.source_of(chain[step]), to = on_mesh_.target_of(chain[step]);
+    return between(arc, internal::value_at_fraction(on_mesh_.value(from), on_mesh_.value(to), fraction), from);
+  }
+
+  // The level of the value, if that is inside the arc. If it has been rounded up to the upper end, it is the last level
+  // of lower values; if values do not tell, because they are tied or infinite, it is next to a vertex of the chain.
+  // With another order than that of numbers, values can fall along an arc.
+  Level between(arc_descriptor arc, double value, internal::Vertex_index chain_vertex) const
+  {
+    const internal::Vertex_index upper = on_mesh_.upper_vertex(arc);
+    const double lower_end = on_mesh_.value(on_mesh_.lower_vertex(arc)), upper_end = on_mesh_.value(upper);
+    const bool is_falling = upper_end < lower_end;
+    const bool is_rounded_up = is_falling ? value <= upper_end : value >= upper_end;
+    if(!is_rounded_up && (is_falling ? value <= lower_end : value >= lower_end))
+    {
+      // For integers, the vertices below 2.5 are those below 2.
+      const auto scalar = on_mesh_.conversion().from_double(value, is_falling);
+      if(scalar && is_alive_at(arc, *scalar))
+        return {Is_below(on_mesh_.order(), internal::Side::UPPER, *scalar), value};
+    }
+    const Scalar& upper_value = on_mesh_.scalar(upper);
+    const bool is_chain_vertex_lower = on_mesh_.order().is_lower(chain_vertex, upper_value);
+    if(is_chain_vertex_lower ? is_rounded_up && std::isfinite(value) : are_ties_contracted())
+      return {Is_below(on_mesh_.order(), internal::Side::LOWER, upper_value), upper_end};
+    return level_beside(internal::Side::UPPER, chain_vertex);
+  }
+
+  // The part of halfedge i of the chain that is used: that below the upper node, and below the next piece of the chain,
+  // as the last halfedge of a piece overshoots.
+  double used_fraction(arc_descriptor arc, std::size_t i) const
+  {
+    const auto& chain = on_mesh_.chain(arc);
+    const internal::Vertex_index end =
+      i + 1 == chain.size() ? on_mesh_.upper_vertex(arc) : on_mesh_.source_of(chain[i + 1]);
+    const bool is_all_used = end == on_mesh_.target_of(chain[i]);
+    return is_all_used ? 1 : internal::crossing_fraction(on_mesh_, chain[i], on_mesh_.value(end));
+  }
 
   const Ties ties_;
   const bool are_degree_two_nodes_kept_;
   const GraphOnMesh on_mesh_;
-  const internal::Arc_contours<GraphOnMesh> contours_;
   const internal::Simplified_places simplified_places_;
 };
 
@@ -339,8 +542,6 @@ class Augmentation
   typedef Basic_augmentation<internal::Graph_on_mesh<FaceListGraph, ReebGraph, Traits>> Base;
 
 public:
-  using typename Base::Contour;
-  using typename Base::halfedge_descriptor;
   /// a face of the mesh
   typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
 
@@ -367,44 +568,11 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // Neither the mesh nor the graph is copied.
-  template <class NamedParameters = parameters::Default_named_parameters>
-  Augmentation(const FaceListGraph&&,
-               ScalarMap,
-               const ReebGraph&,
-               const NamedParameters& = parameters::default_values()) = delete;
-  template <class NamedParameters = parameters::Default_named_parameters>
-  Augmentation(const FaceListGraph&,
-               ScalarMap,
-               const ReebGraph&&,
-               const NamedParameters& = parameters::default_values()) = delete;
+  template <class... NamedParameters>
+  Augmentation(const FaceListGraph&&, ScalarMap, const ReebGraph&, const NamedParameters&...) = delete;
+  template <class... NamedParameters>
+  Augmentation(const FaceListGraph&, ScalarMap, const ReebGraph&&, const NamedParameters&...) = delete;
 #endif
-
-  /// \brief writes the point at which a contour crosses each of its halfedges, by linear interpolation.
-  ///
-  /// \tparam OutputIterator a model of `OutputIterator` for the value type of `vertex_point_map`
-  ///
-  /// \param contour a contour of this object
-  /// \param points the output; the first point is not repeated at the end
-  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
-  ///
-  /// \cgalNamedParamsBegin
-  ///   \reebGraphPoints{ReadablePropertyMap}
-  /// \cgalNamedParamsEnd
-  ///
-  /// \returns the output iterator behind the last point.
-  template <class OutputIterator, class NamedParameters = parameters::Default_named_parameters>
-  OutputIterator points_of_contour(const Contour& contour,
-                                   OutputIterator points,
-                                   const NamedParameters& np = parameters::default_values()) const
-  {
-    // Maps may return points that do not outlive the descriptor.
-    const auto& mesh = this->mesh();
-    const auto point_map = internal::choose_point_map(mesh, np);
-    for(const halfedge_descriptor h : contour.halfedges)
-      *points++ = internal::point_between(get(point_map, source(h, mesh)), get(point_map, target(h, mesh)),
-                                          internal::crossing_fraction(this->on_mesh(), h, contour.value));
-    return points;
-  }
 };
 
 #ifndef DOXYGEN_RUNNING

@@ -12,17 +12,22 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/Soup_contour.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/internal/way_back/graphs_on_cells.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/way_back/Graph_on_cells.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
 
 #include <cstddef>
-#include <iterator>
 
 namespace CGAL::Reeb_graph {
+namespace internal {
+
+// The traits class of a soup with these values: the type of the named parameter, if that is given.
+template <class Scalars, class NamedParameters>
+using Soup_traits_of = Chosen_traits<Reeb_graph_soup_traits<Value_of_range<Scalars>>, NamedParameters>;
+
+} // namespace internal
 
 /// \ingroup PkgReebGraphAugmentation
 ///
@@ -43,7 +48,6 @@ class Complex_augmentation : public Basic_augmentation<GraphOnCells>
   typedef Basic_augmentation<GraphOnCells> Base;
 
 public:
-  using typename Base::Contour;
   using typename Base::Graph;
 
   /// \brief prepares the way back from `graph` to the cells, which may go away afterwards, as the scalars may.
@@ -74,43 +78,12 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // The graph is not copied.
-  template <class PointsOrNumber,
-            class Cells,
-            class Scalars,
-            class NamedParameters = parameters::Default_named_parameters>
-  Complex_augmentation(const PointsOrNumber&,
-                       const Cells&,
-                       const Scalars&,
-                       const Graph&&,
-                       const NamedParameters& = parameters::default_values()) = delete;
-
-  // The cells, for those who measure them.
-  const auto& cells() const { return this->on_mesh().cells(); }
+  template <class Points, class Cells, class Scalars, class... NamedParameters>
+  Complex_augmentation(const Points&, const Cells&, const Scalars&, const Graph&&, const NamedParameters&...) = delete;
 #endif
 
   /// returns the number of vertices of the complex.
   std::size_t number_of_vertices() const { return this->on_mesh().end_of_vertices(); }
-
-  /// \brief writes the points of a contour, by linear interpolation, in the order of its `edges`.
-  ///
-  /// \tparam OutputIterator a model of `OutputIterator` for points
-  /// \tparam PointRange a model of `RandomAccessContainer` of points
-  ///
-  /// \param contour a contour
-  /// \param points the output
-  /// \param vertex_points the points of the vertices
-  ///
-  /// \returns the output iterator behind the last point.
-  template <class OutputIterator, class PointRange>
-  static OutputIterator points_of_contour(const Contour& contour,
-                                          OutputIterator points,
-                                          const PointRange& vertex_points)
-  {
-    const auto point_of = [&](std::size_t v) -> decltype(auto) { return *(std::begin(vertex_points) + v); };
-    for(std::size_t i = 0; i != contour.edges.size(); ++i)
-      *points++ = internal::point_of_crossing(contour, i, point_of);
-    return points;
-  }
 };
 
 /// \ingroup PkgReebGraphAugmentation
@@ -130,28 +103,17 @@ public:
 template <class Scalar,
           class ReebGraph = typename Reeb_graph_soup_traits<Scalar>::Graph,
           class Traits = Reeb_graph_soup_traits<Scalar>>
-class Soup_augmentation : public Complex_augmentation<internal::Graph_on_triangles<ReebGraph, Traits>>
+class Soup_augmentation
+  : public Complex_augmentation<internal::Graph_on_cells<ReebGraph, Traits, internal::Triangle_cells>>
 {
-  typedef Complex_augmentation<internal::Graph_on_triangles<ReebGraph, Traits>> Base;
-
 public:
-  using Base::Base;
+  using Soup_augmentation::Complex_augmentation::Complex_augmentation;
 };
 
 #ifndef DOXYGEN_RUNNING
-template <class PointsOrNumber,
-          class Cells,
-          class Scalars,
-          class ReebGraph,
-          class NamedParameters = parameters::Default_named_parameters>
-Soup_augmentation(const PointsOrNumber&,
-                  const Cells&,
-                  const Scalars&,
-                  const ReebGraph&,
-                  const NamedParameters& = parameters::default_values())
-  -> Soup_augmentation<internal::Value_of_range<Scalars>,
-                       ReebGraph,
-                       internal::Soup_traits_of<Scalars, NamedParameters>>;
+template <class Points, class Cells, class Scalars, class Graph, class NP = parameters::Default_named_parameters>
+Soup_augmentation(const Points&, const Cells&, const Scalars&, const Graph&, const NP& = parameters::default_values())
+  -> Soup_augmentation<internal::Value_of_range<Scalars>, Graph, internal::Soup_traits_of<Scalars, NP>>;
 #endif
 
 /// \ingroup PkgReebGraphAugmentation
@@ -173,28 +135,21 @@ Soup_augmentation(const PointsOrNumber&,
 template <class Scalar,
           class ReebGraph = typename Reeb_graph_soup_traits<Scalar>::Graph,
           class Traits = Reeb_graph_soup_traits<Scalar>>
-class Tetrahedra_augmentation : public Complex_augmentation<internal::Graph_on_tetrahedra<ReebGraph, Traits>>
+class Tetrahedra_augmentation
+  : public Complex_augmentation<internal::Graph_on_cells<ReebGraph, Traits, internal::Tetrahedron_cells>>
 {
-  typedef Complex_augmentation<internal::Graph_on_tetrahedra<ReebGraph, Traits>> Base;
-
 public:
-  using Base::Base;
+  using Tetrahedra_augmentation::Complex_augmentation::Complex_augmentation;
 };
 
 #ifndef DOXYGEN_RUNNING
-template <class PointsOrNumber,
-          class Cells,
-          class Scalars,
-          class ReebGraph,
-          class NamedParameters = parameters::Default_named_parameters>
-Tetrahedra_augmentation(const PointsOrNumber&,
+template <class Points, class Cells, class Scalars, class Graph, class NP = parameters::Default_named_parameters>
+Tetrahedra_augmentation(const Points&,
                         const Cells&,
                         const Scalars&,
-                        const ReebGraph&,
-                        const NamedParameters& = parameters::default_values())
-  -> Tetrahedra_augmentation<internal::Value_of_range<Scalars>,
-                             ReebGraph,
-                             internal::Soup_traits_of<Scalars, NamedParameters>>;
+                        const Graph&,
+                        const NP& = parameters::default_values())
+  -> Tetrahedra_augmentation<internal::Value_of_range<Scalars>, Graph, internal::Soup_traits_of<Scalars, NP>>;
 #endif
 
 } // namespace CGAL::Reeb_graph

@@ -16,11 +16,10 @@
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -28,27 +27,61 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
 
-// A user who measures arcs of one of these has included it.
-template <class GraphOnCells>
-class Complex_augmentation;
-template <class Scalar, class ReebGraph, class Traits>
-class Soup_augmentation;
-template <class Scalar, class ReebGraph, class Traits>
-class Tetrahedra_augmentation;
+// A user who measures arcs of one has included it.
+template <class GraphOnMesh>
+class Basic_augmentation;
 
 namespace internal {
 
-// Adds equal parts of the measure of a face, or of a cell, to the sums of its vertices.
-template <class VertexPlaces, class VertexRange>
-void add_to_places(double measure, const VertexRange& vertices, const VertexPlaces& places, std::vector<double>& sums)
+// Functions of a mesh and a graph are no functions of an augmentation and places.
+template <class GraphOnMesh>
+std::true_type test_augmentation(const Basic_augmentation<GraphOnMesh>*);
+std::false_type test_augmentation(const void*);
+template <class Mesh>
+using If_mesh = std::enable_if_t<!decltype(test_augmentation(std::declval<const Mesh*>()))::value>;
+
+// The area of a triangle, and the volume of a tetrahedron.
+template <class PointMap, class Vertex>
+double measure_of(const PointMap& point_map, const std::array<Vertex, 3>& v)
 {
-  for(const auto v : vertices)
-    sums.at(places.index(v)) += measure / static_cast<double>(std::size(vertices));
+  return area_of(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2]));
+}
+template <class PointMap, class Vertex>
+double measure_of(const PointMap& point_map, const std::array<Vertex, 4>& v)
+{
+  return std::abs(
+    CGAL::to_double(volume(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2]), get(point_map, v[3]))));
+}
+
+// Calls visit(vertex, part) for the vertices of each cell, each with an equal part of the measure of the cell.
+template <class Cells, class PointMap, class Visit>
+void visit_cells(const Cells& cells, const PointMap& point_map, const Visit& visit)
+{
+  for(const auto& cell : cells.cells())
+  {
+    const auto& vertices = cells.vertices_of(cell);
+    const double part = measure_of(point_map, vertices) / static_cast<double>(vertices.size());
+    for(const auto v : vertices)
+      visit(v, part);
+  }
+}
+
+// The measures of nodes, and behind them those of arcs.
+template <class Cells, class ReebGraph, class VertexPlaces, class PointMap>
+std::vector<double> measures_of_places(const Cells& cells,
+                                       const ReebGraph& graph,
+                                       const VertexPlaces& places,
+                                       const PointMap& point_map)
+{
+  std::vector<double> sums(num_vertices(graph) + num_edges(graph), 0);
+  visit_cells(cells, point_map, [&](const auto v, double part) { sums.at(places.index(v)) += part; });
+  return sums;
 }
 
 // Measures of arcs: each node shares its own out equally among the arcs there.
@@ -66,75 +99,25 @@ std::vector<double> measures_of_arcs(const ReebGraph& graph, const std::vector<d
   return result;
 }
 
-// Calls visit(area, vertices) for each face.
-template <class FaceListGraph, class PointMap, class Visit>
-void visit_faces(const FaceListGraph& mesh, const PointMap& point_map, const Visit& visit)
+// The areas, or volumes.
+template <class Augmentation, class VertexPlaces, class Points>
+std::vector<double> measures_of_arcs(const Augmentation& augmentation, const VertexPlaces& places, const Points& points)
 {
-  for(const auto f : CGAL::make_range(faces(mesh)))
-  {
-    const auto h = halfedge(f, mesh);
-    const auto a = source(h, mesh), b = target(h, mesh), c = target(next(h, mesh), mesh);
-    visit(area_of(get(point_map, a), get(point_map, b), get(point_map, c)), std::array{a, b, c});
-  }
-}
-
-// Calls visit(area, vertices) for each triangle.
-template <class Scalar, class ReebGraph, class Traits, class PointRange, class Visit>
-void visit_cells(const Soup_augmentation<Scalar, ReebGraph, Traits>& augmentation,
-                 const PointRange& points,
-                 const Visit& visit)
-{
-  const auto point_map = checked_point_map(points, augmentation.number_of_vertices());
-  for(const auto triangle : augmentation.mesh().triangles())
-  {
-    const auto& t = augmentation.mesh().vertices_of(triangle);
-    const std::array<std::size_t, 3> v = {t[0].number(), t[1].number(), t[2].number()};
-    visit(area_of(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2])), v);
-  }
-}
-
-// Calls visit(volume, vertices) for each tetrahedron.
-template <class Scalar, class ReebGraph, class Traits, class PointRange, class Visit>
-void visit_cells(const Tetrahedra_augmentation<Scalar, ReebGraph, Traits>& augmentation,
-                 const PointRange& points,
-                 const Visit& visit)
-{
-  const auto point_map = checked_point_map(points, augmentation.number_of_vertices());
-  for(const auto& t : augmentation.cells())
-  {
-    const std::array<std::size_t, 4> v = {t[0].number(), t[1].number(), t[2].number(), t[3].number()};
-    visit(std::abs(CGAL::to_double(
-            volume(get(point_map, v[0]), get(point_map, v[1]), get(point_map, v[2]), get(point_map, v[3])))),
-          v);
-  }
-}
-
-// The measures of the arcs of a soup or of tetrahedra.
-template <class AnyAugmentation, class PointRange, class VertexPlaces>
-std::vector<double> measures_of_cells(const AnyAugmentation& augmentation,
-                                      const PointRange& points,
-                                      const VertexPlaces& places)
-{
-  const auto& graph = augmentation.graph();
-  std::vector<double> sums(num_vertices(graph) + num_edges(graph), 0);
-  visit_cells(augmentation, points,
-              [&](double measure, const auto& vertices) { add_to_places(measure, vertices, places, sums); });
-  return measures_of_arcs(graph, sums);
+  const auto& cells = augmentation.on_mesh();
+  return measures_of_arcs(cells.graph(), measures_of_places(cells, cells.graph(), places, cells.point_map(points)));
 }
 
 // The mean of the values at the vertices of each arc, weighted by what measures_of_arcs() has of them. `value` is called
-// with a vertex; visit_all(visit) calls visit(measure, vertices) for each face or cell.
-template <class ReebGraph, class VertexPlaces, class Value, class VisitAll>
-std::vector<double> mean_values_of_arcs(const ReebGraph& graph,
+// with a vertex.
+template <class Cells, class ReebGraph, class VertexPlaces, class PointMap, class Value>
+std::vector<double> mean_values_of_arcs(const Cells& cells,
+                                        const ReebGraph& graph,
                                         const VertexPlaces& places,
-                                        const Value& value,
-                                        const VisitAll& visit_all)
+                                        const PointMap& point_map,
+                                        const Value& value)
 {
   std::vector<Weighted_mean> sums(num_vertices(graph) + num_edges(graph));
-  visit_all([&](double measure, const auto& vertices) {
-    for(const auto v : vertices)
-      sums.at(places.index(v)).add(value(v), measure / static_cast<double>(std::size(vertices)));
-  });
+  visit_cells(cells, point_map, [&](const auto v, double part) { sums.at(places.index(v)).add(value(v), part); });
   std::vector<double> result;
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
@@ -145,6 +128,15 @@ std::vector<double> mean_values_of_arcs(const ReebGraph& graph,
     result.push_back(mean.mean_or_middle(value(graph[lower].vertex), value(graph[upper].vertex)));
   }
   return result;
+}
+
+// The values of a field as numbers.
+template <class Traits, class ScalarMap, class NamedParameters>
+auto double_values(const ScalarMap& scalar_map, const NamedParameters& np)
+{
+  return [scalar_map, conversion = Scalar_conversion<Traits>(choose_traits<Traits>(np))](const auto v) {
+    return conversion.to_double(get(scalar_map, v));
+  };
 }
 
 // `value` is called with a vertex. The mesh may be one of soups.
@@ -228,14 +220,8 @@ std::vector<double> areas_of_places(const FaceListGraph& mesh,
                                     const NamedParameters& np = parameters::default_values())
 {
   if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
-  {
-    const auto point_map = internal::choose_point_map(mesh, np);
-    std::vector<double> areas(num_vertices(graph) + num_edges(graph), 0);
-    internal::visit_faces(mesh, point_map, [&](double area, const auto& vertices) {
-      internal::add_to_places(area, vertices, places, areas);
-    });
-    return areas;
-  }
+    return internal::measures_of_places(internal::Mesh_cells(mesh), graph, places,
+                                        internal::choose_point_map(mesh, np));
   else
     return {};
 }
@@ -257,7 +243,8 @@ std::vector<double> areas_of_places(const FaceListGraph& mesh,
 template <class FaceListGraph,
           class ReebGraph,
           class VertexPlaces,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters,
+          class = internal::If_mesh<FaceListGraph>>
 std::vector<double> arc_areas(const FaceListGraph& mesh,
                               const ReebGraph& graph,
                               const VertexPlaces& places,
@@ -266,33 +253,34 @@ std::vector<double> arc_areas(const FaceListGraph& mesh,
   return internal::measures_of_arcs(graph, areas_of_places(mesh, graph, places, np));
 }
 
-/// \brief adds up the area of the triangles of a soup that belongs to each arc of its Reeb graph, as that of a mesh. A
-/// triangle that is listed several times counts once.
+/// \brief adds up the area of the triangles that belongs to each arc of a Reeb graph, as that of a mesh. A triangle of a
+/// soup that is listed several times counts once.
 ///
-/// \param augmentation the way from the graph to the soup
-/// \param points the points of the vertices, a random access range
+/// \param augmentation an `Augmentation` or a `Soup_augmentation`
 /// \param places what `augmentation.locate_vertices()` has returned
+/// \param points the points of the vertices, as `Basic_augmentation::points_of_contour()` takes them
 ///
 /// \reebGraphComplexity
 ///
 /// \returns the areas of the arcs, in the order of `edges(graph)`.
 ///
-/// \exception Attribute_count_error if there is not one point for each vertex
-/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of this soup
-template <class Scalar, class ReebGraph, class Traits, class PointRange, class VertexPlaces>
-std::vector<double> arc_areas(const Soup_augmentation<Scalar, ReebGraph, Traits>& augmentation,
-                              const PointRange& points,
-                              const VertexPlaces& places)
+/// \exception Attribute_count_error if points are a range, and not one for each vertex
+/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of this mesh
+template <class GraphOnMesh, class VertexPlaces, class Points = parameters::Default_named_parameters>
+std::vector<double> arc_areas(const Basic_augmentation<GraphOnMesh>& augmentation,
+                              const VertexPlaces& places,
+                              const Points& points = parameters::default_values())
 {
-  return internal::measures_of_cells(augmentation, points, places);
+  static_assert(GraphOnMesh::vertices_per_cell == 3, "Tetrahedra have volumes: see arc_volumes().");
+  return internal::measures_of_arcs(augmentation, places, points);
 }
 
 /// \brief adds up the volume of the tetrahedra that belongs to each arc of their Reeb graph, as the area of a mesh: a
 /// quarter of each tetrahedron to each of its vertices. One that is listed several times counts once.
 ///
-/// \param augmentation the way from the graph to the tetrahedra
-/// \param points the points of the vertices, a random access range
+/// \param augmentation a `Tetrahedra_augmentation`
 /// \param places what `augmentation.locate_vertices()` has returned
+/// \param points the points of the vertices, a random access range
 ///
 /// \reebGraphComplexity
 ///
@@ -300,12 +288,13 @@ std::vector<double> arc_areas(const Soup_augmentation<Scalar, ReebGraph, Traits>
 ///
 /// \exception Attribute_count_error if there is not one point for each vertex
 /// \exception Reeb_graph::Unknown_vertex_error if the places are not those of these tetrahedra
-template <class Scalar, class ReebGraph, class Traits, class PointRange, class VertexPlaces>
-std::vector<double> arc_volumes(const Tetrahedra_augmentation<Scalar, ReebGraph, Traits>& augmentation,
-                                const PointRange& points,
-                                const VertexPlaces& places)
+template <class GraphOnMesh, class VertexPlaces, class Points>
+std::vector<double> arc_volumes(const Basic_augmentation<GraphOnMesh>& augmentation,
+                                const VertexPlaces& places,
+                                const Points& points)
 {
-  return internal::measures_of_cells(augmentation, points, places);
+  static_assert(GraphOnMesh::vertices_per_cell == 4, "Triangles have areas: see arc_areas().");
+  return internal::measures_of_arcs(augmentation, places, points);
 }
 
 /// \brief computes the mean value of the field on each arc of a Reeb graph, weighted by area.
@@ -342,43 +331,34 @@ std::vector<double> arc_mean_values(const FaceListGraph& mesh,
 {
   typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
   if constexpr(internal::Mesh_with_numbers<FaceListGraph, ScalarMap, Traits>::value)
-  {
-    const internal::Scalar_conversion<Traits> conversion(internal::choose_traits<Traits>(np));
-    const auto value = [&](const auto v) { return conversion.to_double(get(scalar_map, v)); };
-    const auto point_map = internal::choose_point_map(mesh, np);
-    return internal::mean_values_of_arcs(graph, places, value,
-                                         [&](const auto& visit) { internal::visit_faces(mesh, point_map, visit); });
-  }
+    return internal::mean_values_of_arcs(internal::Mesh_cells(mesh), graph, places,
+                                         internal::choose_point_map(mesh, np),
+                                         internal::double_values<Traits>(scalar_map, np));
   else
     return {};
 }
 
-/// \brief computes the mean value of the field on each arc of the Reeb graph of a soup, weighted by the areas of the
-/// triangles, or of tetrahedra, weighted by their volumes, as on a mesh.
+/// \brief computes the mean value of the field on each arc of a Reeb graph, as that of a mesh: of a soup, weighted by the
+/// areas of the triangles, of tetrahedra, weighted by their volumes.
 ///
 /// An arc without triangles or tetrahedra, as on an edge that is on none, has the middle of the values of its nodes.
 ///
-/// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
-/// \param points the points of the vertices, a random access range
+/// \param augmentation an `Augmentation`, `Soup_augmentation`, or `Tetrahedra_augmentation`
 /// \param places what `augmentation.locate_vertices()` has returned
+/// \param points the points of the vertices, as `Basic_augmentation::points_of_contour()` takes them
 ///
 /// \returns the means, in the order of `edges(graph)`.
 ///
-/// \exception Attribute_count_error if there is not one point for each vertex
-/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of these triangles or tetrahedra
-template <template <class, class, class> class AnyAugmentation,
-          class Scalar,
-          class ReebGraph,
-          class Traits,
-          class PointRange,
-          class VertexPlaces>
-std::vector<double> arc_mean_values(const AnyAugmentation<Scalar, ReebGraph, Traits>& augmentation,
-                                    const PointRange& points,
-                                    const VertexPlaces& places)
+/// \exception Attribute_count_error if points are a range, and not one for each vertex
+/// \exception Reeb_graph::Unknown_vertex_error if the places are not those of this mesh
+template <class GraphOnMesh, class VertexPlaces, class Points = parameters::Default_named_parameters>
+std::vector<double> arc_mean_values(const Basic_augmentation<GraphOnMesh>& augmentation,
+                                    const VertexPlaces& places,
+                                    const Points& points = parameters::default_values())
 {
-  return internal::mean_values_of_arcs(
-    augmentation.graph(), places, [&](std::size_t v) { return augmentation.value(v); },
-    [&](const auto& visit) { internal::visit_cells(augmentation, points, visit); });
+  return internal::mean_values_of_arcs(augmentation.on_mesh(), augmentation.graph(), places,
+                                       augmentation.on_mesh().point_map(points),
+                                       [&](const auto v) { return augmentation.value(v); });
 }
 
 /// \brief measures the length of each arc of a Reeb graph on the surface.
@@ -406,31 +386,28 @@ std::vector<double> arc_lengths(const FaceListGraph& mesh,
 {
   typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
   if constexpr(internal::Mesh_with_numbers<FaceListGraph, ScalarMap, Traits>::value)
-  {
-    const internal::Scalar_conversion<Traits> conversion(internal::choose_traits<Traits>(np));
-    const auto value = [&](const auto v) { return conversion.to_double(get(scalar_map, v)); };
-    return internal::lengths_of_arcs(mesh, graph, internal::choose_point_map(mesh, np), value);
-  }
+    return internal::lengths_of_arcs(mesh, graph, internal::choose_point_map(mesh, np),
+                                     internal::double_values<Traits>(scalar_map, np));
   else
     return {};
 }
 
-/// \brief measures the length of each arc of the Reeb graph of a soup or of tetrahedra, as on a mesh.
+/// \brief measures the length of each arc of the Reeb graph of a mesh, of a soup, or of tetrahedra, in the same way.
 ///
-/// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
-/// \param points the points of the vertices, a random access range
+/// \param augmentation an `Augmentation`, `Soup_augmentation`, or `Tetrahedra_augmentation`
+/// \param points the points of the vertices, as `Basic_augmentation::points_of_contour()` takes them
 ///
 /// \reebGraphComplexity
 ///
 /// \returns the lengths, in the order of `edges(graph)`.
 ///
-/// \exception Attribute_count_error if there is not one point for each vertex
-template <class GraphOnCells, class PointRange>
-std::vector<double> arc_lengths(const Complex_augmentation<GraphOnCells>& augmentation, const PointRange& points)
+/// \exception Attribute_count_error if points are a range, and not one for each vertex
+template <class GraphOnMesh, class Points = parameters::Default_named_parameters>
+std::vector<double> arc_lengths(const Basic_augmentation<GraphOnMesh>& augmentation,
+                                const Points& points = parameters::default_values())
 {
-  return internal::lengths_of_arcs(augmentation.mesh(), augmentation.graph(),
-                                   internal::checked_point_map(points, augmentation.number_of_vertices()),
-                                   [&](std::size_t v) { return augmentation.value(v); });
+  return internal::lengths_of_arcs(augmentation.mesh(), augmentation.graph(), augmentation.on_mesh().point_map(points),
+                                   [&](const auto v) { return augmentation.value(v); });
 }
 
 /// @}

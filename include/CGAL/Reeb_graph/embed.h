@@ -12,33 +12,30 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/way_back/embed_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 namespace CGAL::Reeb_graph {
 
-template <class GraphOnCells>
-class Complex_augmentation; // callers of embed() with one have included it
-
 /// \ingroup PkgReebGraphEmbedding
 ///
 /// \brief puts a Reeb graph into space: finds a point for each node, and for each arc a polyline from node to node.
 ///
 /// The polylines begin and end exactly at the points of the nodes. In the manner `CENTROIDS`, a node with arcs above
-/// and below is at the centroid of the contours just below it. A leaf is at its vertex, or in the middle of the border
-/// loop or of the tied vertices around it. In the other manners each node is at its vertex.
+/// and below is at the centroid of the contours just below it. A leaf is at its vertex, or, on a mesh, in the middle of
+/// the border loop or of the tied vertices around it. In the other manners each node is at its vertex.
 ///
-/// - `CENTROIDS`: the polyline of an arc leads through the centroids, by length, of `number_of_contours` contours, at
+/// - `CENTROIDS`: the polyline of an arc leads through the centroids, by length or, in tetrahedra, by area, of `number_of_contours` contours, at
 ///   equal steps of the field. Two arcs of the same nodes can have lines that coincide, as a tube inside of a round
 ///   tube. If they are nowhere further apart than 1.5 percent of the extent of all contours, about the width of a line
 ///   in a picture, they are moved halfway to the surface. It takes time proportional to the lengths of these contours
 ///   and of those just below the nodes, and to the square of the number of arcs that join the same two nodes.
 /// - `ON_SURFACE`: the polyline follows the chain of the arc. Where that passes by the upper node, or by a node that
-///   has been removed, it goes on along the contour just below that, the shorter way. It stays on the surface, and its
-///   values ascend, and stay the same on this part of a contour. It takes time proportional to the lengths of the
-///   chains and of these contours.
+///   has been removed, it goes on along the contour just below that, the shortest way along its lines, or along the sides of
+///   its triangles. It stays on the surface, and its values ascend, and stay the same on this part of a contour. Where
+///   it passes a plateau of a complex, as ties are contracted, it goes straight, and can leave the complex. It takes
+///   time near-linear in the lengths of the chains and of these contours.
 /// - `STRAIGHT`: the polyline has two points; parallel arcs have the same ones.
 /// - `BY_COST`: `STRAIGHT` if the contours of `CENTROIDS` cross more than 64 edges for each vertex of the mesh, and
 ///   \f$ 2^{20} \f$ besides; otherwise `CENTROIDS`. Finding out crosses no more edges than that. The result says which
@@ -47,7 +44,9 @@ class Complex_augmentation; // callers of embed() with one have included it
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether arcs are embedded
 ///         in parallel; the point map and `parametrization_map` are then read by several threads
 ///
-/// \param augmentation the way from the graph to the mesh, whose points are those of a three-dimensional kernel
+/// \param augmentation an `Augmentation`, `Soup_augmentation`, or `Tetrahedra_augmentation`: the way from the graph
+/// \param points the points of the vertices, which are those of a three-dimensional kernel, as
+///        `Basic_augmentation::points_of_contour()` takes them. For a mesh, the named parameters can stand in this place
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -80,8 +79,7 @@ class Complex_augmentation; // callers of embed() with one have included it
 ///     \cgalParamDescription{for `CENTROIDS`: another field, whose differences along the chain of the arc are the steps
 ///                           between contours, as for `Augmentation::contour()`; that takes time proportional to the
 ///                           length of the chain for each contour}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type, and a value type that
-///                    can be converted to `double`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertices as key type, and a value type that can be converted to `double`}
 ///     \cgalParamDefault{equal steps of the field itself}
 ///   \cgalParamNEnd
 ///   \reebGraphPoints{ReadablePropertyMap}
@@ -92,60 +90,25 @@ class Complex_augmentation; // callers of embed() with one have included it
 ///
 /// \reebGraphComplexity
 ///
-/// \returns an `Embedding` with the type of the points of the mesh.
+/// \returns an `Embedding` with the type of the points.
 ///
+/// \exception Attribute_count_error if points are a range, and not one for each vertex
 /// \exception Graph_mismatch_error if the chain of an arc does not lead to its contours
 /// \exception Non_finite_scalar_error if a value of `parametrization_map` along a chain is infinite or NaN
 /// \exception Cancelled_error if `callback` returns `false`
 template <class ConcurrencyTag = Sequential_tag,
-          class FaceListGraph,
-          class ScalarMap,
-          class ReebGraph,
-          class Traits,
+          class GraphOnMesh,
+          class Points = parameters::Default_named_parameters,
           class NamedParameters = parameters::Default_named_parameters>
-auto embed(const Augmentation<FaceListGraph, ScalarMap, ReebGraph, Traits>& augmentation,
+auto embed(const Basic_augmentation<GraphOnMesh>& augmentation,
+           const Points& points = parameters::default_values(),
            const NamedParameters& np = parameters::default_values())
 {
-  return internal::embed_in_manner<ConcurrencyTag>(augmentation, internal::choose_point_map(augmentation.mesh(), np),
-                                                   np);
-}
-
-/// \ingroup PkgReebGraphEmbedding
-///
-/// \brief puts the Reeb graph of a triangle soup or of tetrahedra into space, as that of a mesh.
-///
-/// - `CENTROIDS`: the centroid of a contour is that of its polylines, by length, or of its triangles, by area. A leaf
-///   is at its vertex.
-/// - `ON_SURFACE`: the way along a contour goes through few triangles. Where a plateau is passed, as ties are
-///   contracted, the polyline goes straight, and can leave the complex.
-///
-/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag`, or `Parallel_if_available_tag`: whether arcs are embedded
-///         in parallel; `parametrization_map` is then read by several threads
-/// \tparam PointRange a random access range of points of a three-dimensional kernel
-///
-/// \param augmentation a `Soup_augmentation` or `Tetrahedra_augmentation` of the graph
-/// \param points the points of the vertices
-/// \param np the named parameters of `embed()` for a mesh, but `vertex_point_map`
-///
-/// \pre The graph is that of the mesh and the field.
-///
-/// \reebGraphComplexity
-///
-/// \returns an `Embedding` with the type of the points.
-///
-/// \exception Attribute_count_error if there is not one point for each vertex
-///
-/// and the exceptions of `embed()` for a mesh.
-template <class ConcurrencyTag = Sequential_tag,
-          class GraphOnCells,
-          class PointRange,
-          class NamedParameters = parameters::Default_named_parameters>
-auto embed(const Complex_augmentation<GraphOnCells>& augmentation,
-           const PointRange& points,
-           const NamedParameters& np = parameters::default_values())
-{
-  return internal::embed_in_manner<ConcurrencyTag>(
-    augmentation, internal::checked_point_map(points, augmentation.number_of_vertices()), np);
+  const auto point_map = augmentation.on_mesh().point_map(points);
+  if constexpr(internal::are_named_parameters<Points>)
+    return internal::embed_in_manner<ConcurrencyTag>(augmentation, point_map, points);
+  else
+    return internal::embed_in_manner<ConcurrencyTag>(augmentation, point_map, np);
 }
 
 } // namespace CGAL::Reeb_graph

@@ -9,12 +9,11 @@
 #ifndef CGAL_REEB_GRAPH_IO_POLYLINES_H
 #define CGAL_REEB_GRAPH_IO_POLYLINES_H
 
-#include <CGAL/Reeb_graph/Soup_contour.h>
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
+#include <CGAL/Reeb_graph/internal/way_back/arc_polylines.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -22,6 +21,7 @@
 #include <iterator>
 #include <limits>
 #include <ostream>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
@@ -58,49 +58,26 @@ void write_polylines(const internal::Output& output, const PolylineRange& polyli
 
 /// \ingroup PkgReebGraphIO
 ///
-/// \brief returns the points of a contour, of which the first one is repeated at the end if the contour is closed.
+/// \brief returns the points of the polylines of a contour. The first one of a closed polyline is repeated at its end. On
+/// a mesh there is one polyline; in tetrahedra there is none, unless the contour is a single point.
 ///
-/// The first argument is the mesh.
-///
-/// \param augmentation the `Augmentation` that has returned the contour
-/// \param contour the contour
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", of which `vertex_point_map` counts
-///
-/// \reebGraphComplexity
-template <class FaceListGraph, class Augmentation, class NamedParameters = parameters::Default_named_parameters>
-auto polyline_of_contour(const FaceListGraph&,
-                         const Augmentation& augmentation,
-                         const typename Augmentation::Contour& contour,
-                         const NamedParameters& np = parameters::default_values())
-{
-  std::vector<internal::Point_of_mesh<FaceListGraph, NamedParameters>> polyline;
-  polyline.reserve(contour.halfedges.size() + 1);
-  augmentation.points_of_contour(contour, std::back_inserter(polyline), np);
-  if(contour.is_closed)
-    polyline.push_back(polyline[0]);
-  return polyline;
-}
-
-/// \ingroup PkgReebGraphIO
-///
-/// \brief returns the points of the polylines of a contour in a triangle soup.
-///
-/// \param contour a `Soup_contour`
-/// \param vertex_points the points of the vertices of the soup, a random access range
+/// \param augmentation an `Augmentation`, `Soup_augmentation`, or `Tetrahedra_augmentation`
+/// \param contour a contour that it has returned
+/// \param points the points of the vertices, as `Basic_augmentation::points_of_contour()` takes them
 ///
 /// \reebGraphComplexity
-template <class SoupContour, class PointRange>
-auto polylines_of_contour(const SoupContour& contour, const PointRange& vertex_points)
+template <class Augmentation, class Points = parameters::Default_named_parameters>
+auto polylines_of_contour(const Augmentation& augmentation,
+                          const typename Augmentation::Contour& contour,
+                          const Points& points = parameters::default_values())
 {
-  typedef typename std::iterator_traits<decltype(std::begin(vertex_points))>::value_type Point;
-  const auto point_of = [&](std::size_t v) -> decltype(auto) { return *(std::begin(vertex_points) + v); };
-  std::vector<std::vector<Point>> polylines;
-  for(const auto& polyline : contour.polylines)
-  {
+  const auto points_of_contour = internal::points_of(augmentation, contour, augmentation.on_mesh().point_map(points));
+  std::vector<std::decay_t<decltype(points_of_contour)>> polylines;
+  contour.for_each_polyline([&](const std::vector<std::size_t>& numbers) {
     polylines.emplace_back();
-    for(const auto i : polyline)
-      polylines.back().push_back(internal::point_of_crossing(contour, i, point_of));
-  }
+    for(const std::size_t i : numbers)
+      polylines.back().push_back(points_of_contour[i]);
+  });
   return polylines;
 }
 

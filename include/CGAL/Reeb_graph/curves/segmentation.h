@@ -66,7 +66,7 @@ Arc_borders<RankedMesh, ReebGraph> find_arc_borders(const RankedMesh& ranked,
     for(const Contour& contour : critical_set.upper_contours)
       contours.push_back(&contour);
     const auto longest = std::max_element(contours.begin(), contours.end(), [](const Contour* a, const Contour* b) {
-      return a->halfedges.size() < b->halfedges.size();
+      return a->number_of_crossings() < b->number_of_crossings();
     });
     const std::size_t arc_of_node = numbers.at(&graph[(*longest)->arc]);
     for(std::size_t i = 0; i != contours.size(); ++i)
@@ -75,7 +75,7 @@ Arc_borders<RankedMesh, ReebGraph> find_arc_borders(const RankedMesh& ranked,
         continue;
       const std::size_t arc = numbers.at(&graph[contours[i]->arc]);
       const bool is_above_node = i >= critical_set.lower_contours.size();
-      result.contours.push_back(make_contour_to_cut(ranked, contours[i]->halfedges, contours[i]->is_closed));
+      result.contours.push_back(make_contour_to_cut(ranked, contours[i]->edges, contours[i]->is_closed()));
       result.higher_arcs.push_back(is_above_node ? arc : arc_of_node);
       result.lower_arcs.push_back(is_above_node ? arc_of_node : arc);
     }

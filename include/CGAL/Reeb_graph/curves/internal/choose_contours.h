@@ -320,7 +320,7 @@ auto choose_along_paths(const RankedMesh& ranked,
       const std::size_t place = (2 * i + 1) * places.size() / (2 * number_of_tries);
       const auto& [arc, halfedge] = places[place];
       const auto contour = augmentation.contour_at_value(arcs[arc], ranked.rank(source(halfedge, ranked.mesh())));
-      Choice choice = {make_contour_to_cut(ranked, contour.halfedges, contour.is_closed), Candidate_curve()};
+      Choice choice = {make_contour_to_cut(ranked, contour.edges, contour.is_closed()), Candidate_curve()};
       choice.properties = {length_of_contour(ranked, choice), choice.value,
                            (static_cast<double>(place) + 0.5) / static_cast<double>(places.size())};
       const double cost_of_choice = cost(choice.properties);

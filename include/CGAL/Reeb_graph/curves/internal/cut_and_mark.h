@@ -91,10 +91,10 @@ auto make_contours_to_cut(const RankedMesh& ranked, const ContourRange& contours
   std::vector<Contour_to_cut<halfedge_descriptor>> result;
   for(const auto& contour : contours)
   {
-    if(contour.halfedges.empty() || !is_connected(ranked, contour.halfedges, contour.is_closed))
+    if(contour.edges.empty() || !is_connected(ranked, contour.edges, contour.is_closed()))
       throw Invalid_contour_error(result.size());
-    result.push_back(make_contour_to_cut(ranked, contour.halfedges, contour.is_closed));
-    for(const halfedge_descriptor h : contour.halfedges)
+    result.push_back(make_contour_to_cut(ranked, contour.edges, contour.is_closed()));
+    for(const halfedge_descriptor h : contour.edges)
     {
       if(ranked.rank(target(h, mesh)) <= result.back().lower_rank)
         throw Invalid_contour_error(result.size() - 1);

@@ -80,7 +80,7 @@ auto find_reeb_loops(const Mesh& mesh,
     progress.part(0.8, 1).report_step(loops.size(), leaving.size());
     const Persistence_pair<node_descriptor> pair = {arcs[arc].lower, upper, Persistence_pair_kind::LOOP};
     loops.push_back({Reeb_graph::persistence(graph, pair, parameters::geom_traits(traits)),
-                     augmentation.contour(graph_arcs[arc], 0.5).halfedges});
+                     augmentation.contour(graph_arcs[arc], 0.5).edges});
   }
   std::stable_sort(loops.begin(), loops.end(),
                    [](const Loop& a, const Loop& b) { return a.persistence < b.persistence; });

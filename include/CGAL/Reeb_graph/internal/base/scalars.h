@@ -184,14 +184,6 @@ Coordinates coordinates_of(const Point& point)
   return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
 }
 
-// Point number `i` of a contour in a complex. `point_of` is called with the number of a vertex.
-template <class CrossedEdges, class PointOf>
-auto point_of_crossing(const CrossedEdges& contour, std::size_t i, const PointOf& point_of)
-{
-  const auto& edge = contour.edges[i];
-  return point_between(point_of(edge.first), point_of(edge.second), contour.fractions[i]);
-}
-
 } // namespace CGAL::Reeb_graph::internal
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_SCALARS_H

@@ -16,21 +16,22 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/engine/walks.h>
-#include <CGAL/Reeb_graph/internal/way_back/find_vertex_places.h>
+#include <CGAL/Reeb_graph/internal/way_back/vertex_places.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -38,8 +39,12 @@ namespace CGAL::Reeb_graph::internal {
 // A graph and the complex that its nodes are on: the way from the descriptors of nodes, arcs and vertices to numbers
 // and back. The graph may be any whose nodes are vertices of the complex. It refers to the graph.
 //
-// `FaceListGraph` is what a Flat_mesh is of. A derived class knows what a contour is: it has a type Contour,
-// find_start(halfedge), and trace(arc, start, level).
+// `FaceListGraph` is what a Flat_mesh is of. A derived class is the way to the cells: the faces of a mesh, triangles, or
+// tetrahedra. It has
+// - cells(), a range, and vertices_of(cell), an array of the descriptors of its `vertices_per_cell` vertices;
+// - star(node), those at a node, and border_loop(node);
+// - a type Contour, and find_start(halfedge), and trace(arc, start, level), which makes one of what is inside of cells;
+// - mesh(), where chains have their halfedges, and point_map(points), of what the user gives for points.
 template <class ReebGraph, class Traits_, class FaceListGraph>
 class Graph_on_complex
 {
@@ -122,11 +127,32 @@ double crossing_fraction(const GraphOnComplex& on_complex, const HalfedgeDescrip
   return crossing_fraction(on_complex.value(on_complex.source_of(h)), on_complex.value(on_complex.target_of(h)), value);
 }
 
+// The faces of a mesh, to which it refers, as cells.
+template <class FaceListGraph>
+class Mesh_cells
+{
+public:
+  static constexpr std::size_t vertices_per_cell = 3;
+
+  explicit Mesh_cells(const FaceListGraph& mesh) : mesh_(mesh) {}
+
+  const FaceListGraph& mesh() const { return mesh_; }
+  auto cells() const { return CGAL::make_range(faces(mesh_)); }
+  auto vertices_of(typename boost::graph_traits<FaceListGraph>::face_descriptor f) const
+  {
+    const auto h = halfedge(f, mesh_);
+    return std::array{source(h, mesh_), target(h, mesh_), target(next(h, mesh_), mesh_)};
+  }
+
+protected:
+  const FaceListGraph& mesh_;
+};
+
 // A graph and the flat surface that its nodes and chains are on: the way from descriptors to numbers and back. The
 // graph may be any whose nodes are vertices and whose chains are halfedges of the mesh. It refers to both. Contours are
 // sequences of halfedges.
 template <class FaceListGraph, class ReebGraph, class Traits>
-class Graph_on_mesh : public Graph_on_complex<ReebGraph, Traits, FaceListGraph>
+class Graph_on_mesh : public Graph_on_complex<ReebGraph, Traits, FaceListGraph>, public Mesh_cells<FaceListGraph>
 {
   typedef Graph_on_complex<ReebGraph, Traits, FaceListGraph> Base;
 
@@ -152,10 +178,9 @@ public:
                 const NamedParameters& np,
                 const Progress& progress)
     : Base(graph, traits, progress, [&] { return share_flat<Sequential_tag>(mesh, scalar_map, traits, np); }),
-      mesh_(mesh)
+      Mesh_cells<FaceListGraph>(mesh)
   {}
 
-  const FaceListGraph& mesh() const { return mesh_; }
   bool has_vertices() const { return vertices(mesh_).first != vertices(mesh_).second; }
 
   Vertex_index source_of(halfedge_descriptor h) const { return number(source(h, mesh_)); }
@@ -181,16 +206,21 @@ public:
     contour.arc = arc;
     contour.value = level.value;
     Plain_vector<Halfedge_index> crossed;
-    contour.is_closed = trace_oriented_contour(complex(), start, level.is_below, crossed);
-    contour.halfedges.reserve(crossed.size());
+    contour.is_cyclic = trace_oriented_contour(complex(), start, level.is_below, crossed);
+    contour.edges.reserve(crossed.size());
     for(const Halfedge_index h : crossed)
-      contour.halfedges.push_back(halfedge(level.is_below(complex().target(h)) ? opposite_of(h) : h));
+      contour.edges.push_back(halfedge(level.is_below(complex().target(h)) ? opposite_of(h) : h));
     return contour;
   }
 
-  Critical_set critical_set(node_descriptor node, std::vector<Contour> lower, std::vector<Contour> upper) const
+  // A point map of the mesh, or named parameters.
+  template <class Points>
+  auto point_map(const Points& points) const
   {
-    return {std::move(lower), std::move(upper), star(node), border_loop(node)};
+    if constexpr(are_named_parameters<Points>)
+      return choose_point_map(mesh_, points);
+    else
+      return points;
   }
 
   // The ends of a halfedge that may be one of another mesh.
@@ -205,7 +235,6 @@ public:
   }
   Vertex_index checked_target(halfedge_descriptor h) const { return checked_source(opposite(h, mesh_)); }
 
-private:
   // The faces at a node, counterclockwise.
   std::vector<face_descriptor> star(node_descriptor node) const
   {
@@ -235,7 +264,8 @@ private:
     return loop;
   }
 
-  const FaceListGraph& mesh_;
+private:
+  using Mesh_cells<FaceListGraph>::mesh_;
 };
 
 } // namespace CGAL::Reeb_graph::internal

@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/Contour.h>
-#include <CGAL/Reeb_graph/Soup_contour.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -24,13 +24,14 @@
 #include <boost/unordered_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -66,16 +67,18 @@ inline double area(const Coordinates& a, const Coordinates& b, const Coordinates
 class Centroid
 {
 public:
-  template <class Point>
-  void add_curve(const std::vector<Point>& points, bool is_closed)
+  // All of a contour.
+  template <class Contour, class Point>
+  void add(const Contour& contour, const std::vector<Point>& points)
   {
-    for(std::size_t i = 0; i + 1 < points.size(); ++i)
-      add_segment(coordinates_of(points[i]), coordinates_of(points[i + 1]));
-    if(is_closed && !points.empty())
-      add_segment(coordinates_of(points.back()), coordinates_of(points.front()));
-    if(points.size() == 1)
-      add_segment(coordinates_of(points[0]), coordinates_of(points[0]));
+    const auto at = [&](std::size_t i) { return coordinates_of(points[i]); };
+    contour.for_each_line([&](std::size_t i, std::size_t j) { add_segment(at(i), at(j)); });
+    contour.for_each_triangle([&](std::size_t i, std::size_t j, std::size_t k) { add_triangle(at(i), at(j), at(k)); });
+    if(!has_first_) // a contour of one point
+      add_segment(at(0), at(0));
   }
+
+  void add_segment(const Coordinates& a, const Coordinates& b) { add_piece(a, mix(0.5, a, b), distance(a, b)); }
 
   void add_triangle(const Coordinates& a, const Coordinates& b, const Coordinates& c)
   {
@@ -90,8 +93,6 @@ public:
   }
 
 private:
-  void add_segment(const Coordinates& a, const Coordinates& b) { add_piece(a, mix(0.5, a, b), distance(a, b)); }
-
   void add_piece(const Coordinates& first, const Coordinates& middle, double weight)
   {
     if(!has_first_)
@@ -107,176 +108,63 @@ private:
   Coordinates first_ = {}, sum_ = {};
 };
 
-// Questions of an embedding to a contour of any kind: one on a mesh, in triangles, or in tetrahedra.
-
-template <class Contour>
-struct Is_contour_on_mesh : std::false_type
-{
-};
-template <class Arc, class Halfedge>
-struct Is_contour_on_mesh<Contour<Arc, Halfedge>> : std::true_type
-{
-};
-
-// The edges that a contour crosses, one for each of its points.
-template <class Arc, class Halfedge>
-const std::vector<Halfedge>& crossed_edges(const Contour<Arc, Halfedge>& contour)
-{
-  return contour.halfedges;
-}
-template <class Arc>
-const auto& crossed_edges(const Crossed_edges<Arc>& contour)
-{
-  return contour.edges;
-}
-
 template <class Augmentation, class PointMap>
 auto points_of(const Augmentation& augmentation,
                const typename Augmentation::Contour& contour,
                const PointMap& point_map)
 {
   std::vector<typename boost::property_traits<PointMap>::value_type> points;
-  points.reserve(crossed_edges(contour).size());
-  if constexpr(Is_contour_on_mesh<typename Augmentation::Contour>::value)
-    augmentation.points_of_contour(contour, std::back_inserter(points), parameters::vertex_point_map(point_map));
-  else
-    for(std::size_t i = 0; i != contour.edges.size(); ++i)
-      points.push_back(point_of_crossing(contour, i, [&](std::size_t v) { return get(point_map, v); }));
+  points.reserve(contour.number_of_crossings());
+  augmentation.points_of_contour(contour, std::back_inserter(points), point_map);
   return points;
 }
 
-// ---- The centroid of a contour, to which each part of it counts by its length, or by its area in tetrahedra.
+struct Crossing_tag;
+typedef Index_of<Crossing_tag> Crossing_index;
 
-template <class Arc, class Halfedge, class Point>
-void add_to_centroid(const Contour<Arc, Halfedge>& contour, const std::vector<Point>& points, Centroid& centroid)
+// The shortest way along the lines of a contour, and the sides of its triangles, from its point `start` to one that
+// is_end(i) tells of: the numbers of the points between the two, or nothing if there is no way.
+template <class Contour, class Point, class IsEnd>
+std::optional<std::vector<std::size_t>> way_along(const Contour& contour,
+                                                  const std::vector<Point>& points,
+                                                  std::size_t start,
+                                                  const IsEnd& is_end)
 {
-  centroid.add_curve(points, contour.is_closed);
-}
-
-template <class Arc, class Point>
-void add_to_centroid(const Soup_contour<Arc>& contour, const std::vector<Point>& points, Centroid& centroid)
-{
-  for(const std::vector<std::size_t>& polyline : contour.polylines)
-  {
-    std::vector<Point> curve;
-    for(const std::size_t i : polyline)
-      curve.push_back(points[i]);
-    centroid.add_curve(curve, false);
-  }
-  if(contour.polylines.empty()) // a point of an edge without triangles
-    centroid.add_curve(points, false);
-}
-
-template <class Arc, class Point>
-void add_to_centroid(const Isosurface_patch<Arc>& contour, const std::vector<Point>& points, Centroid& centroid)
-{
-  for(const std::array<std::size_t, 3>& t : contour.triangles)
-    centroid.add_triangle(coordinates_of(points[t[0]]), coordinates_of(points[t[1]]), coordinates_of(points[t[2]]));
-  if(contour.triangles.empty())
-    centroid.add_curve(points, false);
-}
-
-// A point of the contour, off its ends.
-template <class Arc, class Halfedge, class Point>
-const Point& inner_point(const Contour<Arc, Halfedge>& contour, const std::vector<Point>& points)
-{
-  return points[contour.is_closed ? 0 : points.size() / 2];
-}
-template <class Arc, class Point>
-const Point& inner_point(const Crossed_edges<Arc>&, const std::vector<Point>& points)
-{
-  return points[0];
-}
-
-// ---- The way along a contour from its point `start` to one that is_end(i) tells of: the numbers of the points between
-// the two, or nothing if there is no way.
-
-typedef std::optional<std::vector<std::size_t>> Way_along_contour;
-
-// The shorter one of the two on a mesh.
-template <class Arc, class Halfedge, class Point, class IsEnd>
-Way_along_contour way_along(const Contour<Arc, Halfedge>& contour,
-                            const std::vector<Point>& points,
-                            std::size_t start,
-                            const IsEnd& is_end)
-{
-  const std::size_t size = points.size();
-  Way_along_contour shorter;
-  double least_length = std::numeric_limits<double>::infinity();
-  for(const bool is_forward : {true, false})
-  {
-    std::vector<std::size_t> way;
-    double length = 0;
-    for(std::size_t i = start, step = 1; step != size; ++step)
-    {
-      const std::size_t last = i;
-      if(i == (is_forward ? size - 1 : 0) && !contour.is_closed)
-        break;
-      i = (i + (is_forward ? 1 : size - 1)) % size;
-      length += distance(coordinates_of(points[last]), coordinates_of(points[i]));
-      if(is_end(i))
-      {
-        if(length < least_length)
-          shorter = way;
-        least_length = (std::min)(least_length, length);
-        break;
-      }
-      way.push_back(i);
-    }
-  }
-  return shorter;
-}
-
-// Calls visit(i, j) for the lines between points of a contour.
-template <class Arc, class Visit>
-void for_each_line(const Soup_contour<Arc>& contour, const Visit& visit)
-{
-  for(const std::vector<std::size_t>& polyline : contour.polylines)
-    for(std::size_t i = 1; i < polyline.size(); ++i)
-      visit(polyline[i - 1], polyline[i]);
-}
-
-template <class Arc, class Visit>
-void for_each_line(const Isosurface_patch<Arc>& contour, const Visit& visit)
-{
-  for(const std::array<std::size_t, 3>& t : contour.triangles)
-    for(std::size_t i = 0; i != 3; ++i)
-      visit(t[i], t[(i + 1) % 3]);
-}
-
-// One of fewest lines in triangles and in tetrahedra.
-template <template <class> class ContourOfArc, class Arc, class Point, class IsEnd>
-Way_along_contour way_along(const ContourOfArc<Arc>& contour,
-                            const std::vector<Point>& points,
-                            std::size_t start,
-                            const IsEnd& is_end)
-{
-  constexpr std::size_t nowhere = (std::numeric_limits<std::size_t>::max)();
-  std::vector<std::vector<std::size_t>> neighbors(points.size());
-  for_each_line(contour, [&](std::size_t i, std::size_t j) {
-    neighbors[i].push_back(j);
-    neighbors[j].push_back(i);
+  const Buckets<Crossing_index, std::size_t> neighbors(points.size(), [&](const auto& visit) {
+    const auto join = [&](std::size_t i, std::size_t j) {
+      visit(Crossing_index(i), j);
+      visit(Crossing_index(j), i);
+    };
+    contour.for_each_line(join);
+    contour.for_each_triangle([&](std::size_t i, std::size_t j, std::size_t k) {
+      join(i, j);
+      join(j, k);
+      join(k, i);
+    });
   });
-  std::vector<std::size_t> from(points.size(), nowhere);
-  from[start] = start;
-  for(std::deque<std::size_t> queue = {start}; !queue.empty(); queue.pop_front())
+  typedef std::pair<double, std::size_t> Entry;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  std::vector<Entry> best(points.size(), {std::numeric_limits<double>::infinity(), start}); // and where it comes from
+  best[start].first = 0;
+  for(queue.emplace(0, start); !queue.empty();)
   {
-    const std::size_t i = queue.front();
+    const auto [length, i] = queue.top();
+    queue.pop();
     if(is_end(i))
     {
       std::vector<std::size_t> way;
-      for(std::size_t j = from[i]; j != start; j = from[j])
+      for(std::size_t j = best[i].second; j != start; j = best[j].second)
         way.push_back(j);
       std::reverse(way.begin(), way.end());
       return way;
     }
-    for(const std::size_t neighbor : neighbors[i])
-    {
-      if(from[neighbor] != nowhere)
-        continue;
-      from[neighbor] = i;
-      queue.push_back(neighbor);
-    }
+    for(const std::size_t j : neighbors[Crossing_index(i)])
+      if(const double there = length + distance(coordinates_of(points[i]), coordinates_of(points[j]));
+         there < best[j].first)
+      {
+        best[j] = {there, i};
+        queue.emplace(there, j);
+      }
   }
   return std::nullopt;
 }
@@ -397,14 +285,13 @@ private:
   void add_way_to_end(arc_descriptor arc, halfedge_descriptor h, vertex_descriptor end, const Line& line) const
   {
     const Contour contour = augmentation_.contour_below(arc, end);
-    const auto& edges = crossed_edges(contour);
+    const auto& edges = contour.edges;
     const std::size_t start = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), h) - edges.begin());
     if(start == edges.size())
       return add_way_inside_level(h, end, line);
     const std::vector<Point> points = points_of(augmentation_, contour, point_map_);
     line.add(points[start], contour.value);
-    const Way_along_contour way =
-      way_along(contour, points, start, [&](std::size_t i) { return target(edges[i], mesh_) == end; });
+    const auto way = way_along(contour, points, start, [&](std::size_t i) { return target(edges[i], mesh_) == end; });
     if(!way)
       return add_way_inside_level(h, end, line);
     for(const std::size_t i : *way)
@@ -414,7 +301,7 @@ private:
   // From where halfedge h touches the level of the vertex `end`, to before that vertex.
   void add_way_inside_level(halfedge_descriptor h, vertex_descriptor end, const Line& line) const
   {
-    if constexpr(Is_contour_on_mesh<Contour>::value)
+    if constexpr(Is_face_list_graph<typename Augmentation::Mesh>::value)
     {
       const double level = augmentation_.value(end);
       const auto value = [&](vertex_descriptor v) { return augmentation_.value(v); };

@@ -55,7 +55,7 @@ class Centroid_polylines
   typedef typename Augmentation::vertex_descriptor vertex_descriptor;
   typedef typename Augmentation::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::property_traits<PointMap>::value_type Point;
-  static constexpr bool is_mesh = Is_contour_on_mesh<Contour>::value;
+  static constexpr bool is_mesh = Is_face_list_graph<typename Augmentation::Mesh>::value;
 
 public:
   Centroid_polylines(const Augmentation& augmentation, const PointMap& point_map)
@@ -102,9 +102,10 @@ public:
       const Contour contour = contour_at(arc, t);
       const std::vector<Point> points = points_of(augmentation_, contour, point_map_);
       Centroid centroid;
-      add_to_centroid(contour, points, centroid);
+      centroid.add(contour, points);
       result.centroids.push_back(centroid());
-      result.contour_points.push_back(coordinates_of(inner_point(contour, points)));
+      // off the ends of a curve
+      result.contour_points.push_back(coordinates_of(points[is_mesh && !contour.is_closed() ? points.size() / 2 : 0]));
       result.values.push_back(contour.value);
     }
     return result;
@@ -130,22 +131,22 @@ private:
       h = next(h, mesh);
     } while(h != *border);
     centroids_of_loops_.emplace_back();
-    if(is_level)
-      centroids_of_loops_.back().add_curve(points, true);
+    for(std::size_t i = 0; is_level && i != points.size(); ++i)
+      centroids_of_loops_.back().add_segment(coordinates_of(points[i]),
+                                             coordinates_of(points[(i + 1) % points.size()]));
   }
 
   // Adds a contour next to a node, but not one that is no more than the vertex of a leaf.
   void add_contour(const Contour& contour, vertex_descriptor vertex, bool is_leaf, Centroid& centroid) const
   {
     const auto& mesh = augmentation_.mesh();
-    const auto& crossed = crossed_edges(contour);
     const bool is_point =
-      is_leaf && std::all_of(crossed.begin(), crossed.end(), [&](const auto& h) {
+      is_leaf && std::all_of(contour.edges.begin(), contour.edges.end(), [&](const auto& h) {
         const vertex_descriptor from = source(h, mesh), to = target(h, mesh);
         return (from == vertex || to == vertex) && augmentation_.value(from) != augmentation_.value(to);
       });
     if(!is_point)
-      add_to_centroid(contour, points_of(augmentation_, contour, point_map_), centroid);
+      centroid.add(contour, points_of(augmentation_, contour, point_map_));
   }
 
   const Augmentation& augmentation_;
@@ -209,36 +210,6 @@ inline void smooth(std::vector<Coordinates>& points, std::size_t number_of_steps
   }
 }
 
-template <class Augmentation>
-std::vector<typename Augmentation::arc_descriptor> arcs_of(const Augmentation& augmentation)
-{
-  const auto arcs = edges(augmentation.graph());
-  return std::vector<typename Augmentation::arc_descriptor>(arcs.first, arcs.second);
-}
-
-template <class Result, class Augmentation, class PointMap>
-void embed_nodes_at_vertices(const Augmentation& augmentation, const PointMap& point_map, Result& result)
-{
-  const auto& graph = augmentation.graph();
-  for(const auto node : CGAL::make_range(vertices(graph)))
-  {
-    result.node_points.push_back(get(point_map, graph[node].vertex));
-    result.node_values.push_back(augmentation.value(graph[node].vertex));
-  }
-}
-
-template <class Result, class Augmentation>
-void embed_straight(const Augmentation& augmentation, Result& result)
-{
-  const auto& graph = augmentation.graph();
-  for(const auto arc : CGAL::make_range(edges(graph)))
-  {
-    const auto lower = source(arc, graph), upper = target(arc, graph);
-    result.arc_polylines.push_back({result.node_points[lower], result.node_points[upper]});
-    result.arc_values.push_back({result.node_values[lower], result.node_values[upper]});
-  }
-}
-
 // Calls function(i) for i from 0 to size - 1, and tells the progress before some blocks of them.
 template <class ConcurrencyTag, class Function>
 void for_each_reported(std::size_t size, const Stage_progress& progress, const Function& function)
@@ -249,21 +220,6 @@ void for_each_reported(std::size_t size, const Stage_progress& progress, const F
     progress(static_cast<double>(begin) / static_cast<double>(size));
     for_each_index<ConcurrencyTag>((std::min)(block, size - begin), [&](std::size_t i) { function(begin + i); });
   }
-}
-
-template <class ConcurrencyTag, class Result, class Augmentation, class PointMap>
-void embed_on_surface(const Augmentation& augmentation,
-                      const PointMap& point_map,
-                      const Progress& progress,
-                      Result& result)
-{
-  const Chain_polylines<Augmentation, PointMap> polylines(augmentation, point_map);
-  const auto arcs = arcs_of(augmentation);
-  result.arc_polylines.resize(arcs.size());
-  result.arc_values.resize(arcs.size());
-  for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0, 1), [&](std::size_t i) {
-    polylines(arcs[i], result.arc_polylines[i], result.arc_values[i]);
-  });
 }
 
 // Where the contours of a line are that leads through `inner` ones at equal steps, and through `outer` more at each end,
@@ -280,69 +236,114 @@ inline double graded_place(double t, std::size_t inner, std::size_t outer)
                     : static_cast<double>(number) * step;
 }
 
-// Returns false if the contours of arcs cross more than so many edges.
-template <class ConcurrencyTag, class Result, class Augmentation, class PointMap, class NamedParameters>
-bool embed_at_centroids(const Augmentation& augmentation,
-                        const PointMap& point_map,
-                        std::size_t most_crossings,
-                        const NamedParameters& np,
-                        const Progress& progress,
-                        Result& result)
+// Puts a graph into space, its nodes at their vertices first.
+template <class ConcurrencyTag, class Augmentation, class PointMap>
+class Graph_embedder
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename Result::Point Point;
-  const auto& graph = augmentation.graph();
-  const std::size_t number_of_contours =
-    choose_parameter(get_parameter(np, internal::number_of_contours), std::size_t(12));
-  const std::size_t number_of_contours_at_nodes =
-    choose_parameter(get_parameter(np, internal::number_of_contours_at_nodes), std::size_t(0));
-  const std::size_t number_of_smoothing_steps =
-    choose_parameter(get_parameter(np, internal::number_of_smoothing_steps), std::size_t(0));
-  const auto parametrization_map = get_parameter(np, internal::parametrization_map);
-  const auto contour_at = [&](const auto arc, double t) {
-    if constexpr(is_given<decltype(parametrization_map)>)
-      return augmentation.contour(arc, t, parametrization_map);
-    else
-      return augmentation.contour(arc, t);
-  };
+  typedef typename boost::property_traits<PointMap>::value_type Point;
 
-  const Centroid_polylines<Augmentation, PointMap> centroids(augmentation, point_map);
-  const auto arcs = arcs_of(augmentation);
-  std::vector<Contours_of_arc> contours(arcs.size());
-  std::atomic<std::size_t> crossings = 0;
-  for_each_reported<ConcurrencyTag>(arcs.size(), Stage_progress(progress, 0, 0.9), [&](std::size_t i) {
-    const auto counted_contour_at = [&](const auto arc, double t) {
-      auto contour = contour_at(arc, graded_place(t, number_of_contours, number_of_contours_at_nodes));
-      crossings += crossed_edges(contour).size();
+public:
+  Embedding<Point> result;
+
+  Graph_embedder(const Augmentation& augmentation, const PointMap& point_map, const Progress& progress)
+    : augmentation_(augmentation),
+      graph_(augmentation.graph()),
+      point_map_(point_map),
+      progress_(progress),
+      arcs_(edges(graph_).first, edges(graph_).second)
+  {
+    for(const auto node : CGAL::make_range(vertices(graph_)))
+    {
+      result.node_points.push_back(get(point_map, graph_[node].vertex));
+      result.node_values.push_back(augmentation.value(graph_[node].vertex));
+    }
+  }
+
+  void embed_straight()
+  {
+    for(const auto arc : arcs_)
+    {
+      const auto lower = source(arc, graph_), upper = target(arc, graph_);
+      result.arc_polylines.push_back({result.node_points[lower], result.node_points[upper]});
+      result.arc_values.push_back({result.node_values[lower], result.node_values[upper]});
+    }
+  }
+
+  void embed_on_surface()
+  {
+    const Chain_polylines<Augmentation, PointMap> polylines(augmentation_, point_map_);
+    result.arc_polylines.resize(arcs_.size());
+    result.arc_values.resize(arcs_.size());
+    for_each_reported<ConcurrencyTag>(arcs_.size(), Stage_progress(progress_, 0, 1), [&](std::size_t i) {
+      polylines(arcs_[i], result.arc_polylines[i], result.arc_values[i]);
+    });
+  }
+
+  // Returns false if the contours of arcs cross more than so many edges.
+  template <class NamedParameters>
+  bool embed_at_centroids(std::size_t most_crossings, const NamedParameters& np)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    const std::size_t number_of_contours =
+      choose_parameter(get_parameter(np, internal::number_of_contours), std::size_t(12));
+    const std::size_t number_of_contours_at_nodes =
+      choose_parameter(get_parameter(np, internal::number_of_contours_at_nodes), std::size_t(0));
+    const auto parametrization_map = get_parameter(np, internal::parametrization_map);
+    const Centroid_polylines<Augmentation, PointMap> centroids(augmentation_, point_map_);
+    std::vector<Contours_of_arc> contours(arcs_.size());
+    std::atomic<std::size_t> crossings = 0;
+    const auto contour_at = [&](const auto arc, double place) {
+      const double t = graded_place(place, number_of_contours, number_of_contours_at_nodes);
+      typename Augmentation::Contour contour;
+      if constexpr(is_given<decltype(parametrization_map)>)
+        contour = augmentation_.contour(arc, t, parametrization_map);
+      else
+        contour = augmentation_.contour(arc, t);
+      crossings += contour.number_of_crossings();
       return contour;
     };
-    if(crossings <= most_crossings)
-      contours[i] =
-        centroids.contours(arcs[i], number_of_contours + 2 * number_of_contours_at_nodes, counted_contour_at);
-  });
-  if(crossings > most_crossings)
-    return false;
-  for_each_reported<ConcurrencyTag>(result.node_points.size(), Stage_progress(progress, 0.9, 1),
-                                    [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
-  separate_parallel_arcs(graph, contours);
-  embed_straight(augmentation, result);
-  for(std::size_t i = 0; i != arcs.size(); ++i)
-  {
-    std::vector<Coordinates>& line = contours[i].centroids;
-    line.insert(line.begin(), coordinates_of(result.arc_polylines[i].front()));
-    line.push_back(coordinates_of(result.arc_polylines[i].back()));
-    smooth(line, number_of_smoothing_steps);
-    std::vector<Point> inner_points;
-    for(std::size_t j = 1; j + 1 < line.size(); ++j)
-      inner_points.push_back(make_point<Point>(line[j]));
-    auto& polyline = result.arc_polylines[i];
-    auto& values = result.arc_values[i];
-    polyline.insert(polyline.begin() + 1, inner_points.begin(), inner_points.end());
-    values.insert(values.begin() + 1, contours[i].values.begin(), contours[i].values.end());
+    for_each_reported<ConcurrencyTag>(arcs_.size(), Stage_progress(progress_, 0, 0.9), [&](std::size_t i) {
+      if(crossings <= most_crossings)
+        contours[i] = centroids.contours(arcs_[i], number_of_contours + 2 * number_of_contours_at_nodes, contour_at);
+    });
+    if(crossings > most_crossings)
+      return false;
+    for_each_reported<ConcurrencyTag>(result.node_points.size(), Stage_progress(progress_, 0.9, 1),
+                                      [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
+    separate_parallel_arcs(graph_, contours);
+    embed_straight();
+    for(std::size_t i = 0; i != arcs_.size(); ++i)
+      add_inner_points(contours[i], choose_parameter(get_parameter(np, number_of_smoothing_steps), std::size_t(0)),
+                       result.arc_polylines[i], result.arc_values[i]);
+    return true;
   }
-  return true;
-}
+
+private:
+  // Makes a straight line one through centroids.
+  static void add_inner_points(const Contours_of_arc& contours,
+                               std::size_t number_of_smoothing_steps,
+                               std::vector<Point>& polyline,
+                               std::vector<double>& values)
+  {
+    std::vector<Coordinates> line = {coordinates_of(polyline.front())};
+    line.insert(line.end(), contours.centroids.begin(), contours.centroids.end());
+    line.push_back(coordinates_of(polyline.back()));
+    smooth(line, number_of_smoothing_steps);
+    const Point last = polyline.back();
+    polyline.pop_back();
+    for(std::size_t j = 1; j + 1 < line.size(); ++j)
+      polyline.push_back(make_point<Point>(line[j]));
+    polyline.push_back(last);
+    values.insert(values.begin() + 1, contours.values.begin(), contours.values.end());
+  }
+
+  const Augmentation& augmentation_;
+  const typename Augmentation::Graph& graph_;
+  const PointMap& point_map_;
+  const Progress& progress_;
+  const std::vector<typename Augmentation::arc_descriptor> arcs_;
+};
 
 template <class ConcurrencyTag, class Augmentation, class PointMap, class NamedParameters>
 auto embed_in_manner(const Augmentation& augmentation, const PointMap& point_map, const NamedParameters& np)
@@ -350,9 +351,8 @@ auto embed_in_manner(const Augmentation& augmentation, const PointMap& point_map
   using parameters::choose_parameter;
   using parameters::get_parameter;
   const Progress progress(np);
-  Embedding<typename boost::property_traits<PointMap>::value_type> result;
-  embed_nodes_at_vertices(augmentation, point_map, result);
-  Embedding_manner& manner = result.manner;
+  Graph_embedder<ConcurrencyTag, Augmentation, PointMap> embedder(augmentation, point_map, progress);
+  Embedding_manner& manner = embedder.result.manner;
   manner = choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::BY_COST);
   std::size_t most_crossings = (std::numeric_limits<std::size_t>::max)();
   if(manner == Embedding_manner::BY_COST)
@@ -360,15 +360,14 @@ auto embed_in_manner(const Augmentation& augmentation, const PointMap& point_map
     most_crossings = 64 * num_vertices(augmentation.mesh()) + (std::size_t(1) << 20);
     manner = Embedding_manner::CENTROIDS;
   }
-  if(manner == Embedding_manner::CENTROIDS
-     && !embed_at_centroids<ConcurrencyTag>(augmentation, point_map, most_crossings, np, progress, result))
+  if(manner == Embedding_manner::CENTROIDS && !embedder.embed_at_centroids(most_crossings, np))
     manner = Embedding_manner::STRAIGHT;
   if(manner == Embedding_manner::ON_SURFACE)
-    embed_on_surface<ConcurrencyTag>(augmentation, point_map, progress, result);
+    embedder.embed_on_surface();
   if(manner == Embedding_manner::STRAIGHT)
-    embed_straight(augmentation, result);
+    embedder.embed_straight();
   progress.report_end();
-  return result;
+  return std::move(embedder.result);
 }
 
 } // namespace CGAL::Reeb_graph::internal

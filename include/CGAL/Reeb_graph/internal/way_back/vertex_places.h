@@ -6,36 +6,216 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_LOCATE_VERTICES_H
-#define CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_LOCATE_VERTICES_H
+#ifndef CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H
+#define CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H
 
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
-#include <CGAL/Reeb_graph/internal/way_back/find_vertex_places.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+typedef Indexed_vector<Vertex_index, Index> Place_of_vertex; // no_index where there is no vertex
+
+struct Place_tag;
+typedef Index_of<Place_tag> Place_index;
+
+// The vertices of each place in ascending order. They are sorted when they are asked for, which takes longer than to
+// find the places.
+template <class VertexDescriptor>
+class Vertex_lists
+{
+public:
+  typedef Buckets<Place_index, VertexDescriptor> Lists;
+
+  explicit Vertex_lists(std::function<Lists()> make) : make_(std::move(make)) {}
+
+  Iterator_range<const VertexDescriptor*> operator()(std::size_t place) const
+  {
+    const Lists& lists = lists_([this] {
+      Lists result = make_();
+      make_ = nullptr; // It holds what the lists are made of.
+      return result;
+    });
+    const auto vertices = lists[Place_index(place)];
+    return {vertices.begin(), vertices.end()};
+  }
+
+private:
+  mutable std::function<Lists()> make_;
+  Made_on_demand<Lists> lists_;
+};
+
+// Makes what Vertex_lists needs.
+template <class VertexList, class Order>
+auto sort_vertices_by_place(const VertexList& vertex_list,
+                            const Order& order,
+                            const Place_of_vertex& places,
+                            std::size_t number_of_places)
+{
+  typedef typename Order::template Key<Vertex_index> Key;
+  Buckets<Place_index, Key> keys(number_of_places, [&](const auto& visit) {
+    for(const Vertex_index v : places.keys())
+      if(places[v] != no_index)
+        visit(Place_index(places[v]), order.key(v, v));
+  });
+  const Index_range<Place_index> all_places(number_of_places);
+  for(const Place_index place : all_places)
+    internal::sort<Sequential_tag>(keys[place].begin(), keys[place].end(), order);
+  typedef typename VertexList::vertex_descriptor vertex_descriptor;
+  return Buckets<Place_index, vertex_descriptor>(number_of_places, [&](const auto& visit) {
+    for(const Place_index place : all_places)
+      for(const Key& key : keys[place])
+        visit(place, vertex_list[key.name]);
+  });
+}
+
+// The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
+// to: the number of a node, or the number of nodes plus that of an arc.
+template <class ConcurrencyTag, class Complex, class Order>
+Place_of_vertex find_vertex_places(const Complex& complex,
+                                   const Order& order,
+                                   const Swept_vertices& critical_vertices,
+                                   const Swept_arcs& critical_arcs,
+                                   const Arc_of_vertex& arc_of_vertex,
+                                   const Flat_graph& graph,
+                                   Ties ties)
+{
+  checked_index(graph.nodes.size() + graph.arcs.size());
+  const auto place_of_arc = [&](Arc_index arc, Vertex_index vertex) {
+    if(arc == no_index)
+      complex.throw_contradiction_near(vertex);
+    return static_cast<Index>(graph.nodes.size()) + arc.number();
+  };
+  const auto place_of_critical = [&](Swept_index critical) {
+    const Node_index node = graph.node_of_critical[critical];
+    return node != no_index ? node.number()
+                            : place_of_arc(graph.arc_of_critical[critical], critical_vertices.vertex(critical));
+  };
+  // The place of a regular vertex on an arc between critical vertices. On a plateau, it is where the end of the arc is.
+  const auto place_on_arc = [&](Vertex_index vertex, Swept_arc_index critical_arc) {
+    if(critical_arc == no_index)
+      complex.throw_contradiction_near(vertex);
+    if(ties == Ties::CONTRACT)
+      for(const Swept_index end :
+          {critical_arcs[critical_arc].lower_vertex(), critical_arcs[critical_arc].upper_vertex()})
+        if(order.are_tied(vertex, critical_vertices.vertex(end)))
+          return place_of_critical(end);
+    return place_of_arc(graph.arc_of_critical_arc[critical_arc], vertex);
+  };
+  Place_of_vertex places(complex.number_of_vertices(), no_index);
+  for(const Swept_index critical : critical_vertices.indices())
+    places[critical_vertices.vertex(critical)] = place_of_critical(critical);
+  for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
+    for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
+    {
+      if(places[vertex] == no_index && complex.has_vertex(vertex))
+        places[vertex] = place_on_arc(vertex, arc_of_vertex[vertex]);
+    }
+  });
+  return places;
+}
+
+// Finds nothing besides the graph, where no places of vertices are wanted.
+struct No_vertex_places
+{
+  static constexpr bool are_wanted = false;
+
+  template <class ConcurrencyTag, class... Arguments>
+  void find(const Arguments&...) const
+  {}
+
+  template <class VertexList>
+  void write(const VertexList&) const
+  {}
+};
+
+// The places of all vertices, for a property map: their arcs are found with those of the graph.
+template <class PlaceMap>
+class Vertex_places_for_map
+{
+public:
+  static constexpr bool are_wanted = true;
+
+  explicit Vertex_places_for_map(const PlaceMap& map) : map_(map) {}
+
+  template <class ConcurrencyTag, class Complex, class Order>
+  Swept_arcs find_arcs(const Complex& complex,
+                       const Order& order,
+                       const Swept_vertices& critical_vertices,
+                       const Stage_progress& progress)
+  {
+    return find_arcs_and_locate_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex_, progress);
+  }
+
+  template <class ConcurrencyTag, class Complex, class Order>
+  void find(const Complex& complex,
+            const Order& order,
+            const Swept_vertices& critical_vertices,
+            const Swept_arcs& critical_arcs,
+            const Flat_graph& graph,
+            Ties ties)
+  {
+    places_ =
+      find_vertex_places<ConcurrencyTag>(complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties);
+    arc_of_vertex_ = Arc_of_vertex();
+  }
+
+  template <class VertexList>
+  void write(const VertexList& vertices) const
+  {
+    using boost::put; // for a pointer, whatever has been included before
+    typedef typename boost::property_traits<PlaceMap>::value_type Place;
+    for(const Vertex_index v : places_.keys())
+    {
+      if(places_[v] != no_index)
+        put(map_, vertices[v], static_cast<Place>(places_[v]));
+    }
+  }
+
+private:
+  const PlaceMap map_;
+  Arc_of_vertex arc_of_vertex_;
+  Place_of_vertex places_;
+};
+
+template <class NamedParameters>
+auto choose_places(const NamedParameters& np)
+{
+  const auto map = parameters::get_parameter(np, vertex_place_map);
+  if constexpr(is_given<decltype(map)>)
+    return Vertex_places_for_map(map);
+  else
+    return No_vertex_places();
+}
 
 // The places in a simplified graph of the nodes, and behind them the arcs, of the exact graph, by the named parameter
 // `simplification`. There are none if that is not given, as each has the same place then.
@@ -262,4 +442,4 @@ CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_PLACES)
 
 } // namespace CGAL::Reeb_graph::internal
 
-#endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_LOCATE_VERTICES_H
+#endif // CGAL_REEB_GRAPH_INTERNAL_WAY_BACK_VERTEX_PLACES_H

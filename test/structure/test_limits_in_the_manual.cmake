@@ -1,0 +1,35 @@
+# Fails if the manual has another table than the program of what is not for all kinds of meshes. LIMITS is the header with
+# the table of the program, and MANUAL the page of the manual.
+cmake_minimum_required(VERSION 3.21)
+
+# A list of rows: what, and whether it takes triangles, tetrahedra, and both.
+set(rows "")
+file(STRINGS ${LIMITS} lines REGEX "^  {\"")
+foreach(line IN LISTS lines)
+  string(REGEX REPLACE "^  {\"([^\"]+)\", (true|false), (true|false), (true|false),.*" "\\1|\\2|\\3|\\4" row "${line}")
+  string(REPLACE "the field " "--field " row "${row}")
+  list(APPEND rows ${row})
+endforeach()
+list(LENGTH rows size)
+if(size LESS 11)
+  message(SEND_ERROR "Too few rows have been found: ${rows}")
+endif()
+
+set(rows_of_manual "")
+file(STRINGS ${MANUAL} lines REGEX "^[|] `[^|]*[|] (yes|no) [|] (yes|no) [|] (yes|no) [|]$")
+foreach(line IN LISTS lines)
+  string(REGEX REPLACE "^[^|]*[|][^|]*[|] (yes|no) [|] (yes|no) [|] (yes|no) [|]$" "|\\1|\\2|\\3" answers "${line}")
+  string(REPLACE "yes" "true" answers "${answers}")
+  string(REPLACE "no" "false" answers "${answers}")
+  string(REGEX MATCHALL "`[^`]+`" names "${line}")
+  foreach(name IN LISTS names)
+    string(REPLACE "`" "" name "${name}")
+    list(APPEND rows_of_manual "${name}${answers}")
+  endforeach()
+endforeach()
+
+list(SORT rows)
+list(SORT rows_of_manual)
+if(NOT rows STREQUAL rows_of_manual)
+  message(SEND_ERROR "The program has the limits ${rows}, and the manual has ${rows_of_manual}")
+endif()
