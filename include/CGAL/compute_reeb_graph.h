@@ -11,17 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
-#include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/write_graph.h>
 #include <CGAL/Reeb_graph/internal/way_back/vertex_places.h>
 #include <CGAL/Reeb_graph/named_parameters.h>

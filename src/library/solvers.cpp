@@ -8,5 +8,4 @@
 
 // The seam for the solvers of fields, where there is Eigen.
 #define CGAL_REEB_GRAPH_SOLVERS
-#define CGAL_REEB_GRAPH_DEFINE_SOLVERS
 #include <CGAL/Reeb_graph/fields/internal/solve.h>

@@ -132,24 +132,27 @@ using Natural_order = Vertex_order<Scalar, std::less<Scalar>>;
 #endif
 
 #ifdef CGAL_REEB_GRAPH_COMPILED
+#define CGAL_REEB_GRAPH_IF_COMPILED(...) __VA_ARGS__
+#else
+#define CGAL_REEB_GRAPH_IF_COMPILED(...)
+#endif
+
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, PREFIX, TAG, SCALAR)                                                        \
-  M(PREFIX, TAG, Cartesian_complex, SCALAR)                                                                            \
-  M(PREFIX, TAG, Epick_complex, SCALAR)                                                                                \
-  M(PREFIX, TAG, Epeck_complex, SCALAR)                                                                                \
-  M(PREFIX, TAG, Triangle_complex, SCALAR)
+  CGAL_REEB_GRAPH_IF_COMPILED(M(PREFIX, TAG, Cartesian_complex, SCALAR) M(PREFIX, TAG, Epick_complex, SCALAR)          \
+                                M(PREFIX, TAG, Epeck_complex, SCALAR) M(PREFIX, TAG, Triangle_complex, SCALAR))
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M)                                                                     \
   CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                               \
   CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, double))
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)                                                                       \
   CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Long_index)
 #define CGAL_REEB_GRAPH_FOR_SOUPS(M)                                                                                   \
-  M(CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Simplicial_complex, double)                                            \
-  CGAL_REEB_GRAPH_IF_PARALLEL(M(CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, Simplicial_complex, double))
+  CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Simplicial_complex, double))               \
+  CGAL_REEB_GRAPH_IF_COMPILED(                                                                                         \
+    CGAL_REEB_GRAPH_IF_PARALLEL(M(CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, Simplicial_complex, double)))
 // The point of a Surface_mesh stands instead of a complex.
 #define CGAL_REEB_GRAPH_FOR_POINTS_OF(M, PREFIX, TAG, SCALAR)                                                          \
-  M(PREFIX, TAG, Cartesian_point, SCALAR)                                                                              \
-  M(PREFIX, TAG, Epick_point, SCALAR)                                                                                  \
-  M(PREFIX, TAG, Epeck_point, SCALAR)
+  CGAL_REEB_GRAPH_IF_COMPILED(M(PREFIX, TAG, Cartesian_point, SCALAR) M(PREFIX, TAG, Epick_point, SCALAR)              \
+                                M(PREFIX, TAG, Epeck_point, SCALAR))
 #define CGAL_REEB_GRAPH_FOR_POINTS(M)                                                                                  \
   CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                                 \
   CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Long_index)                             \
@@ -157,38 +160,19 @@ using Natural_order = Vertex_order<Scalar, std::less<Scalar>>;
 // Surfaces of doubles, for functions that know no threads.
 #define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(M)                                                                \
   CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)
-#else
-#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M)
-#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(M)
-#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)
-#define CGAL_REEB_GRAPH_FOR_SOUPS(M)
-#define CGAL_REEB_GRAPH_FOR_POINTS(M)
-#endif
-// Functions of handles, which know surfaces by numbers. They have no parameters but M(PREFIX), and only the library sees
-// their definition.
-#ifdef CGAL_REEB_GRAPH_COMPILED
-#define CGAL_REEB_GRAPH_FOR_LOOPS(M) M(CGAL_REEB_GRAPH_LOOPS)
-#ifndef CGAL_REEB_GRAPH_DEFINE_LOOPS
+// Functions of handles, which know surfaces by numbers, and in the same way of skeletons. They have no parameters but
+// M(PREFIX), and only the library sees their definition.
+#define CGAL_REEB_GRAPH_FOR_LOOPS(M) CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_LOOPS))
+#define CGAL_REEB_GRAPH_FOR_SKELETONS(M) CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_SKELETONS))
+#if defined(CGAL_REEB_GRAPH_COMPILED) && !defined(CGAL_REEB_GRAPH_DEFINE_LOOPS)
 #define CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
 #endif
-#else
-#define CGAL_REEB_GRAPH_FOR_LOOPS(M)
-#endif
-// Functions of skeletons, in the same way.
-#ifdef CGAL_REEB_GRAPH_COMPILED
-#define CGAL_REEB_GRAPH_FOR_SKELETONS(M) M(CGAL_REEB_GRAPH_SKELETONS)
-#ifndef CGAL_REEB_GRAPH_DEFINE_SKELETONS
+#if defined(CGAL_REEB_GRAPH_COMPILED) && !defined(CGAL_REEB_GRAPH_DEFINE_SKELETONS)
 #define CGAL_REEB_GRAPH_ARE_SKELETONS_COMPILED
 #endif
-#else
-#define CGAL_REEB_GRAPH_FOR_SKELETONS(M)
-#endif
-// Functions that need Eigen, on both sides. They have no parameters but M(PREFIX); only the library sees their definition.
-#if defined(CGAL_REEB_GRAPH_COMPILED) && defined(CGAL_REEB_GRAPH_COMPILED_SOLVERS) && defined(CGAL_EIGEN3_ENABLED)
-#define CGAL_REEB_GRAPH_FOR_SOLVERS(M) M(CGAL_REEB_GRAPH_SOLVERS)
-#ifndef CGAL_REEB_GRAPH_DEFINE_SOLVERS
-#define CGAL_REEB_GRAPH_ARE_SOLVERS_COMPILED
-#endif
+// Functions that need Eigen, on both sides.
+#if defined(CGAL_REEB_GRAPH_COMPILED_SOLVERS) && defined(CGAL_EIGEN3_ENABLED)
+#define CGAL_REEB_GRAPH_FOR_SOLVERS(M) CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_SOLVERS))
 #else
 #define CGAL_REEB_GRAPH_FOR_SOLVERS(M)
 #endif

@@ -17,6 +17,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -176,79 +177,19 @@ void invoke_both(const First& first, const Second& second)
   }
 }
 
-// Sorts by a Vertex_order, which has no ties, so that the result is the same in any case.
-template <class Iterator, class Less>
-void sort_sequentially(Iterator first, Iterator last, const Less& less)
-{
-  if constexpr(Less::is_sure)
-    boost::sort::pdqsort_branchless(first, last, less);
-  else
-    std::stable_sort(first, last, less); // It stays inside of the range even if the order contradicts itself.
-}
-
-// Merges two sorted ranges to one that begins at `result`, all elsewhere, in so many parts.
-template <class ConcurrencyTag, class T, class Less>
-void merge_in_parallel(T* first, T* last, T* other_first, T* other_last, T* result, const Less& less, std::size_t parts)
-{
-  if(last - first < other_last - other_first)
-  {
-    std::swap(first, other_first);
-    std::swap(last, other_last);
-  }
-  if(parts <= 1 || first == last)
-  {
-    std::merge(std::make_move_iterator(first), std::make_move_iterator(last), std::make_move_iterator(other_first),
-               std::make_move_iterator(other_last), result, less);
-    return;
-  }
-  T* const middle = first + (last - first) / 2;
-  T* const other_middle = std::lower_bound(other_first, other_last, *middle, less);
-  T* const middle_of_result = result + (middle - first) + (other_middle - other_first);
-  invoke_both<ConcurrencyTag>(
-    [&] { merge_in_parallel<ConcurrencyTag>(first, middle, other_first, other_middle, result, less, parts / 2); },
-    [&] {
-      merge_in_parallel<ConcurrencyTag>(middle, last, other_middle, other_last, middle_of_result, less, parts / 2);
-    });
-}
-
-// Sorts in runs that are merged, into the buffer if that is wanted. Faster on one thread than tbb::parallel_sort on
-// two, if comparisons are cheap.
-template <class ConcurrencyTag, class T, class Less>
-void sort_in_parallel(T* first, T* last, T* buffer, const Less& less, std::size_t number_of_runs, bool is_buffer_wanted)
-{
-  if(number_of_runs <= 1)
-  {
-    sort_sequentially(first, last, less);
-    if(is_buffer_wanted)
-      std::move(first, last, buffer);
-    return;
-  }
-  const std::ptrdiff_t size = last - first, half = size / 2;
-  const auto sort_half = [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    sort_in_parallel<ConcurrencyTag>(first + begin, first + end, buffer + begin, less, number_of_runs / 2,
-                                     !is_buffer_wanted);
-  };
-  invoke_both<ConcurrencyTag>([&] { sort_half(0, half); }, [&] { sort_half(half, size); });
-  T* const halves = is_buffer_wanted ? first : buffer;
-  merge_in_parallel<ConcurrencyTag>(halves, halves + half, halves + half, halves + size,
-                                    is_buffer_wanted ? buffer : first, less, number_of_runs);
-}
-
-// The elements have to be one behind the other in memory.
+// Sorts by a Vertex_order, which has no ties, so that the result is the same in any case. On two threads,
+// tbb::parallel_sort is no faster than the other one on one.
 template <class ConcurrencyTag, class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less)
 {
-  typedef typename std::iterator_traits<Iterator>::value_type T;
-  constexpr std::size_t smallest_run = 16384;
-  const std::size_t size = static_cast<std::size_t>(last - first);
-  const std::size_t number_of_runs = (std::min)(size / smallest_run, number_of_threads<ConcurrencyTag>());
-  if(number_of_runs <= 1)
-    return sort_sequentially(first, last, less);
-  if constexpr(is_parallel<ConcurrencyTag>())
-  {
-    const std::unique_ptr<T[]> buffer(new T[size]); // whose pages, if T is plain, are touched when they are written
-    sort_in_parallel<ConcurrencyTag>(&*first, &*first + size, buffer.get(), less, number_of_runs, false);
-  }
+  if constexpr(!Less::is_sure)
+    std::stable_sort(first, last, less); // It stays inside of the range even if the order contradicts itself.
+#ifdef CGAL_LINKED_WITH_TBB
+  else if(is_parallel<ConcurrencyTag>() && number_of_threads<ConcurrencyTag>() > 3)
+    tbb::parallel_sort(first, last, less);
+#endif
+  else
+    boost::sort::pdqsort_branchless(first, last, less);
 }
 
 // A part of a constant object that is made when it is asked for first, by whichever thread that is.

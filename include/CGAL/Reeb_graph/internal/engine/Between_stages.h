@@ -21,9 +21,10 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 
-// The engine in the order of the data. What goes from one stage to the next is here.
+// The engine in the order of the data. What goes from one stage to the next is here, with what all of them include.
 //
 // | stage                                   | from a complex, an order, and                 | to                     |
 // | classify_vertices.h                     | nothing else                                  | Swept_vertices         |
@@ -309,17 +310,14 @@ public:
   void register_edges()
   {
     is_edge_cut_.resize(number_of_edges_, false);
-    lowest_cuts_.resize(number_of_edges_);
+    if(unregistered_edges_.size() + few_lowest_cuts_.size() > number_of_edges_ / 32)
+      switch_to_array();
     std::size_t i = 0;
     Cut_index cut(size() - ends_of_unregistered_.size());
     for(const std::size_t end : ends_of_unregistered_)
     {
       for(; i != end; ++i)
-      {
-        const Edge_index edge = edge_of(unregistered_edges_[i]);
-        is_edge_cut_[edge] = true;
-        lowest_cuts_[edge] = cut;
-      }
+        register_edge(edge_of(unregistered_edges_[i]), cut);
       ++cut;
     }
     unregistered_edges_.clear();
@@ -346,10 +344,26 @@ public:
   Cut_index lowest_at_edge(Halfedge_index halfedge) const
   {
     const Edge_index edge = edge_of(halfedge);
-    return has_registered_edges() && is_edge_cut_[edge] ? lowest_cuts_[edge] : Cut_index(no_index);
+    if(!has_registered_edges() || !is_edge_cut_[edge])
+      return no_index;
+    return lowest_cuts_.empty() ? few_lowest_cuts_.find(edge.number())->second : lowest_cuts_[edge];
   }
 
 private:
+  void register_edge(Edge_index edge, Cut_index cut)
+  {
+    is_edge_cut_[edge] = true;
+    (lowest_cuts_.empty() ? few_lowest_cuts_[edge.number()] : lowest_cuts_[edge]) = cut;
+  }
+
+  void switch_to_array()
+  {
+    lowest_cuts_.resize(number_of_edges_);
+    for(const auto& [edge, cut] : few_lowest_cuts_)
+      lowest_cuts_[Edge_index(edge)] = cut;
+    few_lowest_cuts_.clear();
+  }
+
   Index place_of_node(Tree_node node) const { return node.number() - number_of_other_nodes_; }
 
   Index number_of_other_nodes_;
@@ -357,7 +371,10 @@ private:
   Indexed_vector<Cut_index, Swept_index> critical_vertices_;
   Indexed_vector<Cut_index, Tree_node> sublevel_classes_;
   Plain_vector<Halfedge_index> unregistered_edges_;
-  Plain_vector<std::size_t> ends_of_unregistered_;    // by one of the last cuts: where its unregistered edges end
+  Plain_vector<std::size_t> ends_of_unregistered_; // by one of the last cuts: where its unregistered edges end
+  // The lowest cuts at edges. With few cut edges, to touch the pages of an array would take longer than all else that
+  // has to do with cuts; with many, a hash map would.
+  std::unordered_map<Index, Cut_index> few_lowest_cuts_;
   Indexed_vector<Edge_index, Cut_index> lowest_cuts_; // unset where no cut is
   Indexed_vector<Edge_index, bool> is_edge_cut_;      // asked first; empty as long as nothing is registered
 };

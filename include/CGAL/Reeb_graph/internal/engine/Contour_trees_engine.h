@@ -11,16 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/cut_loops.h>
-#include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
-#include <CGAL/Reeb_graph/internal/engine/slabs.h>
 
 #include <cstddef>
 #include <optional>

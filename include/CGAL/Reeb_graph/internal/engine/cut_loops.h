@@ -11,13 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/merge_trees.h>
-#include <CGAL/Reeb_graph/internal/engine/slabs.h>
-#include <CGAL/Reeb_graph/internal/engine/walks.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +19,6 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 

@@ -11,17 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
-#include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/slabs.h>
-#include <CGAL/Reeb_graph/internal/engine/walks.h>
-#include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
 #include <cstddef>
