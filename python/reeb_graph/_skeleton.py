@@ -33,7 +33,8 @@ class Skeleton:
         The point that stands for each vertex of the mesh, -1 for those without triangles.
     counts : dict from str to int
         Components, genus, arcs, ends, junctions, loops and hidden handles, and what certifies the lines: vertices outside
-        of the surface, edges that cross it, and components that intersect themselves.
+        of the surface, edges that cross it, loops that can be pulled to a point inside, and components that intersect
+        themselves.
     """
 
     points: np.ndarray

@@ -531,6 +531,7 @@ py::object skeleton(const Mesh_arrays& arrays,
     {"junctions", known.number_of_junctions},
     {"loops", known.number_of_loops},
     {"hidden_handles", known.number_of_hidden_handles},
+    {"contractible_loops", known.number_of_contractible_loops},
     {"vertices_outside", known.number_of_vertices_outside},
     {"crossing_edges", known.number_of_crossing_edges},
     {"self_intersecting_components", known.number_of_crossing_components}};

@@ -28,6 +28,7 @@ void write_text(std::ostream& out, const Skeleton_report& report)
       << count(known.number_of_hidden_handles, "hidden handle") << '\n';
   out << "inside    " << count(known.number_of_vertices_outside, "vertex", "vertices") << " outside, "
       << count(known.number_of_crossing_edges, "crossing edge") << ", "
+      << count(known.number_of_contractible_loops, "contractible loop") << ", "
       << count(known.number_of_crossing_components, "self-intersecting component") << '\n';
   for(const auto& [step, seconds] : report.seconds)
     out << std::left << std::setw(10) << step << std::right << std::fixed << std::setprecision(3) << seconds << " s\n";
@@ -57,6 +58,7 @@ void write_json(std::ostream& out, const Skeleton_report& report)
   json["junctions"] = known.number_of_junctions;
   json["loops"] = known.number_of_loops;
   json["hidden_handles"] = known.number_of_hidden_handles;
+  json["contractible_loops"] = known.number_of_contractible_loops;
   json["vertices_outside"] = known.number_of_vertices_outside;
   json["crossing_edges"] = known.number_of_crossing_edges;
   json["self_intersecting"] = known.number_of_crossing_components != 0;

@@ -11,6 +11,7 @@
 #include "generated_surfaces.h"
 #include "mesh_builders.h"
 #include "random_meshes.h"
+#include "shuffle.h"
 #include "tube_samples.h"
 #include "voxel_solids.h"
 
@@ -92,6 +93,8 @@ void check(const Mesh& mesh, const Skeleton& skeleton, const Skeleton_certificat
     BOOST_TEST((skeleton[v].inscribed_radius >= 0 && skeleton[v].radius >= skeleton[v].inscribed_radius));
   }
   BOOST_TEST(number_mapped == mapped.size());
+  for(const auto e : CGAL::make_range(edges(skeleton)))
+    BOOST_TEST(skeleton[source(e, skeleton)].point != skeleton[target(e, skeleton)].point);
   std::size_t number_with_faces = 0;
   for(const auto v : vertices(mesh))
     number_with_faces += halfedge(v, mesh) != boost::graph_traits<Mesh>::null_halfedge() ? 1 : 0;
@@ -112,6 +115,7 @@ void check(const Mesh& mesh, const Skeleton& skeleton, const Skeleton_certificat
   {
     BOOST_TEST(known.number_of_vertices_outside == 0u);
     BOOST_TEST(known.number_of_crossing_edges == 0u);
+    BOOST_TEST(known.number_of_contractible_loops == 0u);
     for(const auto v : CGAL::make_range(vertices(skeleton)))
       BOOST_TEST((out_degree(v, skeleton) == 1 || skeleton[v].inscribed_radius > 0));
   }
@@ -275,6 +279,166 @@ BOOST_AUTO_TEST_CASE(tubes_have_their_ends_loops_and_centerlines)
       }
     }
   }
+}
+
+// How often the lines of a skeleton that is one loop, possibly with ends, wind around the third axis.
+template <class Skeleton>
+double winding_number(const Skeleton& skeleton)
+{
+  double sum = 0;
+  for(const auto& arc : skeleton_arcs(skeleton))
+  {
+    double turn = 0;
+    for(std::size_t i = 1; i != arc.size(); ++i)
+    {
+      const auto &p = skeleton[arc[i - 1]].point, &q = skeleton[arc[i]].point;
+      turn += std::atan2(p.x() * q.y() - p.y() * q.x(), p.x() * q.x() + p.y() * q.y());
+    }
+    if(out_degree(arc.front(), skeleton) > 1 && out_degree(arc.back(), skeleton) > 1)
+      sum += arc.front() < arc.back() ? turn : arc.front() == arc.back() ? turn : -turn;
+  }
+  return sum / 6.283185307179586;
+}
+
+BOOST_AUTO_TEST_CASE(loops_of_tori_wind)
+{
+  for(int i = 2; i != 20; ++i)
+  {
+    BOOST_TEST_CONTEXT("radii 1 and " << 0.05 * i)
+    {
+      auto soup = generated_surfaces::torus(40, 80);
+      for(auto& p : soup.points) // whose tube has the radius 0.4
+      {
+        const double rho = std::hypot(p[0], p[1]), factor = (1 + 0.05 * i / 0.4 * (rho - 1)) / rho;
+        p = {factor * p[0], factor * p[1], 0.05 * i / 0.4 * p[2]};
+      }
+      const auto mesh = make_mesh<Surface_mesh>(soup);
+      Curve_skeleton<Surface_mesh> skeleton;
+      check(mesh, skeleton, extract_curve_skeleton(mesh, skeleton));
+      BOOST_TEST(std::abs(std::abs(winding_number(skeleton)) - 1) < 1e-6);
+    }
+  }
+}
+
+namespace {
+// A tube of radius 1 around the z-axis, open at both ends, whose first and last columns are the same points, or vertices.
+generated_surfaces::Triangle_soup open_tube(std::size_t around, std::size_t along, double length, bool is_slit)
+{
+  generated_surfaces::Triangle_soup soup;
+  const std::size_t columns = is_slit ? around + 1 : around;
+  for(std::size_t row = 0; row <= along; ++row)
+    for(std::size_t column = 0; column != columns; ++column)
+    {
+      const double angle = 6.283185307179586 * static_cast<double>(column % around) / static_cast<double>(around);
+      soup.points.push_back(
+        {std::cos(angle), std::sin(angle), length * static_cast<double>(row) / static_cast<double>(along)});
+    }
+  for(std::size_t row = 0; row != along; ++row)
+    for(std::size_t column = 0; column != around; ++column)
+    {
+      const std::size_t a = row * columns + column, b = row * columns + (column + 1) % columns;
+      soup.triangles.push_back({a, b, b + columns});
+      soup.triangles.push_back({a, b + columns, a + columns});
+    }
+  return soup;
+}
+
+template <class Skeleton>
+double length_of(const Skeleton& skeleton)
+{
+  double length = 0;
+  for(const auto e : CGAL::make_range(edges(skeleton)))
+    length +=
+      std::sqrt(CGAL::squared_distance(skeleton[source(e, skeleton)].point, skeleton[target(e, skeleton)].point));
+  return length;
+}
+} // namespace
+
+// A slit along the tube is closed: the line is that of the tube without.
+BOOST_AUTO_TEST_CASE(open_tubes_have_their_radius_and_length_with_and_without_a_slit)
+{
+  for(const bool is_slit : {false, true})
+    for(const std::size_t along : {7u, 20u, 33u})
+    {
+      const auto mesh = make_mesh<Surface_mesh>(open_tube(16, along, 10, is_slit));
+      Curve_skeleton<Surface_mesh> skeleton;
+      const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
+      BOOST_TEST(known.number_of_arcs == 1u);
+      BOOST_TEST(known.number_of_border_ends == 2u);
+      BOOST_TEST(std::abs(length_of(skeleton) - 10) < 1e-6);
+      for(const auto v : CGAL::make_range(vertices(skeleton)))
+        BOOST_TEST(std::abs(skeleton[v].inscribed_radius - std::cos(3.141592653589793 / 16)) < 0.01);
+      for(const auto& arc : skeleton_arcs(skeleton))
+        for(std::size_t i = 2; i < arc.size(); ++i)
+        {
+          const auto size = [&](std::size_t k) {
+            return std::sqrt(CGAL::squared_distance(skeleton[arc[k - 1]].point, skeleton[arc[k]].point));
+          };
+          BOOST_TEST((std::min)(size(i - 1), size(i)) >= 0.1 * (std::max)(size(i - 1), size(i)));
+        }
+    }
+}
+
+// Surfaces with slits, doubled points, faces without area, and handles, in units in which products are infinite, or 0.
+BOOST_AUTO_TEST_CASE(units_change_nothing)
+{
+  std::vector<generated_surfaces::Triangle_soup> soups = {open_tube(5, 7, 10, false), open_tube(8, 5, 3, true),
+                                                          generated_surfaces::torus(6, 12), coarse_surface(3)};
+  soups.push_back({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}});
+  soups.push_back(open_tube(8, 5, 3, false));
+  soups.back().points[9] = soups.back().points[8]; // Two faces have no area.
+  for(const auto& soup : soups)
+  {
+    const auto mesh = make_mesh<Surface_mesh>(soup);
+    Curve_skeleton<Surface_mesh> skeleton;
+    const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
+    for(const int exponent : {-900, -720, -358, -30, 1, 40, 53, 66, 342, 500, 720, 990})
+    {
+      auto scaled = mesh;
+      for(const auto v : scaled.vertices())
+      {
+        const auto& p = mesh.point(v);
+        scaled.point(v) = {std::scalbn(p.x(), exponent), std::scalbn(p.y(), exponent), std::scalbn(p.z(), exponent)};
+      }
+      Curve_skeleton<Surface_mesh> other;
+      const Skeleton_certificate found = extract_curve_skeleton(scaled, other);
+      BOOST_TEST(found.number_of_crossing_components == known.number_of_crossing_components);
+      BOOST_TEST(found.number_of_vertices_outside == known.number_of_vertices_outside);
+      BOOST_TEST(num_vertices(other) == num_vertices(skeleton));
+      for(std::size_t v = 0; v != (std::min)(num_vertices(skeleton), num_vertices(other)); ++v)
+      {
+        for(int i = 0; i != 3; ++i)
+          BOOST_TEST(other[v].point[i] == std::scalbn(skeleton[v].point[i], exponent));
+        BOOST_TEST(other[v].radius == std::scalbn(skeleton[v].radius, exponent));
+        BOOST_TEST(other[v].inscribed_radius == std::scalbn(skeleton[v].inscribed_radius, exponent));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(order_of_vertices_changes_nothing, Mesh, Meshes)
+{
+  for(std::size_t seed = 0; seed != 60; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      random_meshes::Random random(seed);
+      auto soup = seed % 3 == 0 ? coarse_surface(seed)
+                : seed % 3 == 1 ? tube_samples::surface(tube_samples::fat_ring(seed), 0.1, seed)
+                                : tube_samples::surface(tube_samples::pierced_tube(0.4), 0.1, seed);
+      const auto mesh = make_mesh<Mesh>(soup);
+      generated_surfaces::shuffle(soup, random);
+      const auto shuffled = make_mesh<Mesh>(soup);
+      Curve_skeleton<Mesh> skeleton, other;
+      const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton),
+                                 found = extract_curve_skeleton(shuffled, other);
+      BOOST_TEST(found.number_of_ends == known.number_of_ends);
+      BOOST_TEST(found.number_of_loops == known.number_of_loops);
+      if(known.number_of_components != 1)
+        continue; // Components are in the order of their first vertices.
+      BOOST_TEST(num_vertices(other) == num_vertices(skeleton));
+      for(std::size_t v = 0; v != (std::min)(num_vertices(skeleton), num_vertices(other)); ++v)
+        BOOST_TEST(other[v].point == skeleton[v].point);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(fronts_that_meet_in_fat_rings_make_no_end)

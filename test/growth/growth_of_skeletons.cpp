@@ -7,10 +7,12 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "Table.h"
+#include "random_meshes.h"
 #include "surfaces.h"
 
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -34,10 +36,27 @@ std::vector<Function<Subject>> functions()
              return num_vertices(skeleton);
            }}};
 }
+
+// A torus whose points are moved by up to 15 percent of the radius of the tube.
+Input noisy_torus(std::size_t number_of_vertices)
+{
+  const auto around = static_cast<std::size_t>(std::sqrt(static_cast<double>(number_of_vertices) / 2.5));
+  Input input = {"torus, 15 % noise", generated_surfaces::torus(around, around * 5 / 2), {}};
+  random_meshes::Random random(around);
+  for(auto& p : input.soup.points)
+  {
+    const double rho = std::hypot(p[0], p[1]), share = 0.15 * (static_cast<double>(random.below(2001)) / 1000 - 1);
+    const double factor = (rho + share * (rho - 1)) / rho; // away from the middle of the tube
+    p = {factor * p[0], factor * p[1], (1 + share) * p[2]};
+  }
+  input.values = tilted_height(input.soup);
+  return input;
+}
 } // namespace
 
 void measure_skeletons(Table& table)
 {
+  table.measure("torus, 15 % noise", at_three_sizes<Subject>(9000, noisy_torus), functions()[0]);
   const std::size_t n = 3000, number_of_inputs = all_inputs(100).size();
   for(std::size_t i = 0; i < number_of_inputs; ++i)
   {

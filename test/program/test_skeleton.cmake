@@ -3,7 +3,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 configure_file(${CMAKE_CURRENT_LIST_DIR}/../../examples/Reeb_graph/data/neuron.off ${FOLDER}/neuron.off COPYONLY)
 expect_success(skeleton neuron.off --json --output s.swc s.vtp --output s.polylines.txt s.graphml)
-foreach(key_and_value components=1 genus=1 loops=1 hidden_handles=0 ends=5 border_ends=0 vertices_outside=0
+foreach(key_and_value components=1 genus=1 loops=1 hidden_handles=0 ends=5 border_ends=0 contractible_loops=0 vertices_outside=0
                       crossing_edges=0)
   string(REPLACE "=" ";" key_and_value ${key_and_value})
   list(GET key_and_value 0 key)
@@ -49,7 +49,7 @@ endforeach()
 expect_success(skeleton neuron.off --field x --pruning-ratio 0 --sampling-ratio 1)
 expect_match("${output}" "field     x")
 expect_match("${output}" "1 loop, 0 hidden handles")
-expect_match("${output}" "inside    0 vertices outside, 0 crossing edges, 0 self-intersecting components")
+expect_match("${output}" "inside    0 vertices outside, 0 crossing edges, 0 contractible loops, 0 self-intersecting components")
 expect_error("pruning-ratio" skeleton neuron.off --pruning-ratio -1)
 expect_error("sampling-ratio" skeleton neuron.off --sampling-ratio 0)
 expect_error("swc" skeleton neuron.off --output s.csv)

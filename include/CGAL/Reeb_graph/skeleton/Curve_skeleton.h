@@ -47,8 +47,8 @@ struct Skeleton_vertex
   /// At a junction it is the mean of what is around, at the end of a tube without border that of the neighbor.
   double radius = 0;
 
-  /// the distance from the surface, borders filled: the radius of the largest ball around the point that is inside. It is
-  /// 0 at the end of a tube.
+  /// the distance from the surface: the radius of the largest ball around the point that it does not cross. Borders count as
+  /// filled where they are no ends. It is 0 at the end of a tube without border.
   double inscribed_radius = 0;
 
   /// the number of the arc that it is on, `no_arc` for a node
@@ -83,14 +83,16 @@ using Curve_skeleton =
 /// \brief what is known of a curve skeleton: what `extract_curve_skeleton()` returns.
 struct Skeleton_certificate
 {
-  std::size_t number_of_components = 0;          ///< connected components of the surface, and of the skeleton
-  std::size_t number_of_arcs = 0;                ///< arcs: paths from node to node
-  std::size_t number_of_ends = 0;                ///< nodes with one arc
-  std::size_t number_of_border_ends = 0;         ///< those of them that are at borders
-  std::size_t number_of_junctions = 0;           ///< nodes with three arcs or more
-  std::size_t number_of_loops = 0;               ///< independent cycles
-  std::size_t genus = 0;                         ///< handles of the surface, borders filled; those of all components
-  std::size_t number_of_hidden_handles = 0;      ///< handles that are no loop, since they are hidden in a multi-saddle
+  std::size_t number_of_components = 0;     ///< connected components of the surface, and of the skeleton
+  std::size_t number_of_arcs = 0;           ///< arcs: paths from node to node
+  std::size_t number_of_ends = 0;           ///< nodes with one arc
+  std::size_t number_of_border_ends = 0;    ///< those of them that are at borders
+  std::size_t number_of_junctions = 0;      ///< nodes with three arcs or more
+  std::size_t number_of_loops = 0;          ///< independent cycles
+  std::size_t genus = 0;                    ///< handles of the surface, borders filled; those of all components
+  std::size_t number_of_hidden_handles = 0; ///< handles that are no loop, since they are hidden in a multi-saddle
+  /// loops that can be pulled to a point inside of the surface, or depend on others there; 0 if it does not intersect itself
+  std::size_t number_of_contractible_loops = 0;
   std::size_t number_of_vertices_outside = 0;    ///< vertices that are outside; ends do not count
   std::size_t number_of_crossing_edges = 0;      ///< edges that cross the surface other than in an end
   std::size_t number_of_crossing_components = 0; ///< components that, with their borders filled, intersect themselves

@@ -27,6 +27,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -74,12 +75,18 @@ public:
   void set_values(Filled_component& component) const
   {
     if constexpr(has_values)
+    {
+      double size = 0;
       for(const Index v : component.given)
       {
         component.values.push_back(CGAL::to_double(flat_.values[Vertex_index(v)]));
         if(!std::isfinite(component.values.back()))
           throw Non_finite_scalar_error(complex().position(Vertex_index(v)));
+        size = (std::max)(size, std::abs(component.values.back()));
       }
+      for(double& value : component.values) // so that no difference overflows
+        value = std::scalbn(value, size > 0 ? -std::ilogb(size) : 0);
+    }
   }
 
 private:
@@ -124,8 +131,13 @@ void add_component(const Reading& reading,
       add_edge(first + arc[i - 1], first + arc[i], {certificate.number_of_arcs}, skeleton);
     ++certificate.number_of_arcs;
   }
+  std::vector<std::pair<Index, Index>>
+    numbers; // of the given vertices, in the order of the mesh, and of those of the skeleton
   for(std::size_t i = 0; i != given.size(); ++i)
-    skeleton[first + part.vertex_map[i]].vertices.push_back(reading.vertex(given[i]));
+    numbers.emplace_back(given[i], part.vertex_map[i]);
+  std::sort(numbers.begin(), numbers.end());
+  for(const auto& [number, vertex] : numbers)
+    skeleton[first + vertex].vertices.push_back(reading.vertex(number));
   certificate.number_of_components += 1;
   certificate.number_of_ends += part.number_of_ends;
   certificate.number_of_border_ends += part.number_of_border_ends;
@@ -133,6 +145,7 @@ void add_component(const Reading& reading,
   certificate.number_of_loops += part.number_of_loops;
   certificate.genus += part.genus;
   certificate.number_of_hidden_handles += part.genus - part.number_of_loops;
+  certificate.number_of_contractible_loops += part.number_of_contractible_loops;
   certificate.number_of_vertices_outside += part.number_outside;
   certificate.number_of_crossing_edges += part.number_of_crossings;
   certificate.number_of_crossing_components += part.is_self_intersecting ? 1 : 0;
@@ -151,15 +164,18 @@ void add_component(const Reading& reading,
 /// its radius. What is left has as many cycles as the surface, borders filled, has handles, less those that are hidden
 /// in multi-saddles, which are counted.
 ///
-/// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. So no
-/// vertex is outside, and no edge crosses a component that does not intersect itself. What remains on others, or where the
-/// numbers of the points end, is counted.
+/// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. Loops are led
+/// along the surface where they would not wind around a hole, by linking numbers with curves on it. So no vertex is outside,
+/// no edge crosses a component that does not intersect itself, and no loop can be pulled to a point there. What remains on
+/// others, or where the numbers of the points end, is counted.
+/// Where a border passes a point twice, as at both sides of a slit, it is closed there, and what is left on one line is no end.
+/// The order of vertices does not matter if no two are at the same place, and neither does a unit that is a power of two.
 /// Each component is looked at without the others. The lines are not promised to be centered: where the surface is no
 /// tube, as in flat or ball-shaped parts, a center of a contour is as good as any other place.
 ///
 /// It takes \f$ O(n \log n + s \sqrt{n}) \f$ time for \f$ n \f$ vertices and a skeleton of \f$ s \f$, on surfaces whose
-/// contours are short, as those of tubes. On noise, contours can be as long as the surface is large, so that it takes
-/// the number of branches before pruning times \f$ n \f$.
+/// contours are short, as those of tubes. On noise, contours can be as long as the surface is large, but most branches are
+/// pruned by balls inside of the surface, without any contour.
 ///
 /// The idea is that of \cgalCite{lv-lsdpo-99}.
 ///
@@ -175,8 +191,8 @@ void add_component(const Reading& reading,
 ///   \cgalParamNBegin{scalar_map}
 ///     \cgalParamDescription{a scalar field, whose contours give the lines, in place of distances from a tip}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and numbers as value type}
-///     \cgalParamDefault{none: the distances from a tip, the vertex that is farthest from the one that is farthest from
-///                       the first vertex, of each component}
+///     \cgalParamDefault{none: the distances from a tip of each component: the vertex that is farthest, along edges, from the
+///                       one that is farthest from the centroid}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{pruning_ratio}
 ///     \cgalParamDescription{A branch goes if its persistence is below this share of the radius where it leaves the

@@ -138,10 +138,12 @@ private:
 
   // Compares with the trunk: the contours of the other arcs where the branch ends, and what lies between two of them.
   // The tip protrudes from the one that hides it best.
-  bool is_to_go(const Branch& branch, Index tip) const
+  bool is_to_go(const Branch& branch, Index tip)
   {
     if(!(ratio_ > 0) || is_border_[tip])
       return false;
+    if(is_beside_large_ball(branch, tip))
+      return true;
     const Point& top = graph_.point(tip);
     double radius = 0, protrusion = std::numeric_limits<double>::infinity();
     std::vector<Contour_sample> samples, farther;
@@ -165,6 +167,33 @@ private:
     const double least = ratio_ * radius;
     return branch.persistence < least || protrusion < least || is_bump(tip, branch.persistence)
         || is_across_tube(branch, tip);
+  }
+
+  // Whether a branch is short beside a ball inside of the surface where it leaves the trunk, or its tip hardly protrudes from that.
+  // Most branches of noise go so: contours need not be measured, which can be as long as the surface is large.
+  bool is_beside_large_ball(const Branch& branch, Index tip)
+  {
+    const auto is_small = [&](const Inner_ball& ball) {
+      return branch.persistence < ratio_ * ball.radius
+          || distance(graph_.point(tip), ball.center) < (1 + ratio_) * ball.radius;
+    };
+    const auto is_near = [&](const Inner_ball& ball) {
+      return distance(graph_.point(branch.end), ball.center) < 1.5 * ball.radius;
+    };
+    bool is_known = false;
+    for(const Inner_ball& ball : balls_)
+      if(is_near(ball))
+      {
+        is_known = true;
+        if(is_small(ball))
+          return true;
+      }
+    if(is_known)
+      return false;
+    const Inner_ball ball = tree_.ball_beneath(graph_.vertex(branch.end));
+    if(is_near(ball))
+      balls_.push_back(ball);
+    return is_near(ball) && is_small(ball);
   }
 
   // Whether a ball touches both ends of a branch, and the contour where it leaves the trunk goes around the ball on both
@@ -266,6 +295,7 @@ private:
   std::vector<Branch> branches_;            // of tips
   std::vector<std::vector<Index>> waiting_; // the tips whose branches end at a node, and stay
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
+  std::vector<Inner_ball> balls_; // those that have been met
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

@@ -17,7 +17,11 @@
 
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,7 +29,7 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 
 typedef CGAL::Surface_mesh<Point> Mesh;
 
-// A border that has been filled by a fan of triangles around its centroid, the apex.
+// A closed polygon of a border that has been filled by a fan of triangles around its centroid, the apex.
 struct Filled_border
 {
   Mesh::Vertex_index apex;
@@ -33,18 +37,150 @@ struct Filled_border
   double radius;
 };
 
-// A connected component of a surface, without borders: the given vertices come first, in their order, then the apexes.
+// A connected component of a surface, without borders, whose size is about 1: the given vertices come first, in the order
+// of their coordinates, then others.
 struct Filled_component
 {
   Mesh mesh;
-  std::vector<Index> given; // the numbers of its vertices in the surface
-  std::vector<Filled_border> borders;
-  std::vector<double> values; // of the given vertices; empty if distances are to be used
+  std::vector<Index> given;           // the numbers of its vertices in the surface
+  int exponent = 0;                   // Its points have been multiplied by 2 to this power.
+  std::vector<Filled_border> borders; // those that are openings
+  std::vector<Filled_border> seams;   // the vertices that close what has no area, each after those of its rim
+  std::vector<double> values;         // of the given vertices; empty if distances are to be used
 
-  bool is_apex(Mesh::Vertex_index v) const { return v.idx() >= given.size(); }
+  bool is_given(Mesh::Vertex_index v) const { return v.idx() < given.size(); }
+  // The place of the border whose apex a vertex is, or the number of borders.
+  std::size_t border_of(Mesh::Vertex_index v) const
+  {
+    const std::size_t place = borders.empty() ? 0 : v.idx() - borders.front().apex.idx();
+    return (std::min)(place, borders.size()); // The apexes are consecutive.
+  }
+  bool is_apex(Mesh::Vertex_index v) const { return border_of(v) != borders.size(); }
+};
+
+// Fills the borders of a component. Where a border passes a point twice, as at both sides of a slit, it is one point: the border
+// is closed there. What is left of it is an opening if it is not on one line.
+class Border_filling
+{
+public:
+  explicit Border_filling(Filled_component& component) : component_(component), mesh_(component.mesh) {}
+
+  // Takes the halfedges of a border in their order.
+  void add(const std::vector<Mesh::Halfedge_index>& cycle)
+  {
+    path_.clear();
+    places_.clear();
+    places_[mesh_.point(mesh_.source(cycle.front()))] = 0;
+    for(const auto h : cycle)
+    {
+      path_.push_back(h);
+      const auto [place, is_new] = places_.insert({mesh_.point(mesh_.target(h)), path_.size()});
+      if(!is_new && h != cycle.back())
+        place->second = close(place->second);
+    }
+    polygons_.push_back(path_);
+  }
+
+  // Fills what has been added: openings first, so that their apexes are consecutive.
+  void fill()
+  {
+    for(const bool are_openings : {true, false})
+      for(const Polygon& polygon : polygons_)
+        if(is_opening(polygon) == are_openings)
+          (are_openings ? component_.borders : component_.seams).push_back(fan(polygon));
+  }
+
+private:
+  typedef std::vector<Mesh::Halfedge_index> Polygon;
+
+  // Joins the end of the path to an earlier vertex at the same point, by way of a new vertex there. Returns the new end.
+  std::size_t close(std::size_t place)
+  {
+    if(path_.size() - place < 2)
+      return path_.size();
+    const auto last = mesh_.target(path_.back()), first = mesh_.source(path_[place]);
+    const auto middle = mesh_.add_vertex(Point(mesh_.point(first)));
+    component_.seams.push_back({middle, {first, last}, 0});
+    Polygon polygon(path_.begin() + static_cast<std::ptrdiff_t>(place), path_.end());
+    polygon.push_back(add_edge(last, middle));
+    polygon.push_back(add_edge(middle, first));
+    for(std::size_t i = place; i + 1 < path_.size(); ++i)
+      if(const auto passed = places_.find(mesh_.point(mesh_.target(path_[i])));
+         passed != places_.end() && passed->second == i + 1)
+        places_.erase(passed);
+    path_.resize(place);
+    path_.push_back(mesh_.opposite(polygon.back()));
+    path_.push_back(mesh_.opposite(polygon[polygon.size() - 2]));
+    polygons_.push_back(std::move(polygon));
+    return path_.size();
+  }
+
+  Mesh::Halfedge_index add_edge(Mesh::Vertex_index from, Mesh::Vertex_index to)
+  {
+    const auto h = mesh_.add_edge();
+    mesh_.set_target(h, to);
+    mesh_.set_target(mesh_.opposite(h), from);
+    return h;
+  }
+
+  bool is_opening(const Polygon& polygon) const
+  {
+    const Point& first = mesh_.point(mesh_.source(polygon.front()));
+    const Point* second = nullptr;
+    for(const auto h : polygon)
+    {
+      const Point& p = mesh_.point(mesh_.target(h));
+      if(second && !collinear(first, *second, p))
+        return true;
+      if(!second && p != first)
+        second = &p;
+    }
+    return false;
+  }
+
+  Filled_border fan(const Polygon& cycle)
+  {
+    Filled_border border;
+    std::vector<Point> points;
+    for(const auto h : cycle)
+    {
+      border.rim.push_back(mesh_.source(h));
+      points.push_back(mesh_.point(border.rim.back()));
+    }
+    const Contour_shape shape = measure(points);
+    border.radius = shape.radius();
+    border.apex = mesh_.add_vertex(shape.centroid);
+    Polygon spokes; // to the apex
+    for(const auto v : border.rim)
+      spokes.push_back(add_edge(v, border.apex));
+    for(std::size_t i = 0; i != cycle.size(); ++i)
+      add_face(mesh_, cycle[i], spokes[(i + 1) % cycle.size()], mesh_.opposite(spokes[i]));
+    return border;
+  }
+
+public:
+  static void add_face(Mesh& mesh, Mesh::Halfedge_index a, Mesh::Halfedge_index b, Mesh::Halfedge_index c)
+  {
+    const auto face = mesh.add_face();
+    mesh.set_halfedge(face, a);
+    for(const auto& [h, next] : {std::make_pair(a, b), std::make_pair(b, c), std::make_pair(c, a)})
+    {
+      mesh.set_face(h, face);
+      mesh.set_next(h, next);
+      mesh.set_halfedge(mesh.target(h), h);
+    }
+  }
+
+private:
+  Filled_component& component_;
+  Mesh& mesh_;
+  Polygon path_;
+  std::map<Point, std::size_t> places_; // how many halfedges of the path lead to a point
+  std::vector<Polygon> polygons_;
 };
 
 // Makes the components of a checked surface, in the order of their first vertices. Vertices without faces are in none.
+// Vertices, edges and faces are in an order that only the points decide, as long as no two are the same.
 template <class Complex>
 class Component_filling
 {
@@ -59,32 +195,30 @@ public:
     label();
   }
 
-  std::size_t number_of_components() const { return edges_.size(); }
+  std::size_t number_of_components() const { return given_.size(); }
 
   Filled_component make(std::size_t number)
   {
     Filled_component component;
-    const std::vector<Edge_index>& edges = edges_[number];
-    component.mesh.reserve(static_cast<Mesh::size_type>(given_[number].size()),
-                           static_cast<Mesh::size_type>(edges.size()),
-                           static_cast<Mesh::size_type>(2 * edges.size() / 3));
-    for(const Index v : given_[number])
-      local_vertices_[Vertex_index(v)] = component.mesh.add_vertex(points_[Vertex_index(v)]);
     component.given = std::move(given_[number]);
-    for(const Edge_index e : edges)
-      add_edge(component.mesh, e);
-    for(const Edge_index e : edges)
-      for(const Halfedge_index h : {even_halfedge(e), opposite_of(even_halfedge(e))})
-      {
-        if(complex_.has_triangle(h) && is_unset(component.mesh, h))
-          add_triangle(component.mesh, h);
-      }
-    for(const Edge_index e : edges)
-      for(const Halfedge_index h : {even_halfedge(e), opposite_of(even_halfedge(e))})
-      {
-        if(!complex_.has_triangle(h) && is_unset(component.mesh, h))
-          component.borders.push_back(fill(component.mesh, h));
-      }
+    const auto coordinates = [&](Index v) {
+      const Point& p = points_[Vertex_index(v)];
+      return std::make_tuple(p.x(), p.y(), p.z(), v);
+    };
+    std::sort(component.given.begin(), component.given.end(),
+              [&](Index u, Index v) { return coordinates(u) < coordinates(v); });
+    add_vertices(component);
+    const std::vector<Halfedge_index> halfedges = add_edges(component);
+    for(const Halfedge_index h : halfedges)
+    {
+      if(complex_.has_triangle(h) && is_unset(component.mesh, h))
+        add_triangle(component.mesh, h);
+    }
+    Border_filling borders(component);
+    for(const Halfedge_index h : halfedges)
+      if(!complex_.has_triangle(h) && is_unset(component.mesh, h))
+        borders.add(border(component.mesh, h));
+    borders.fill();
     return component;
   }
 
@@ -110,83 +244,78 @@ private:
       ++number_of_components;
     }
     given_.resize(number_of_components);
-    edges_.resize(number_of_components);
     for(const Vertex_index v : complex_.vertices())
       if(component_of_[v] != no_index)
         given_[component_of_[v]].push_back(v.number());
-    for(const Edge_index e : Index_range<Edge_index>(complex_.number_of_edges()))
-      if(complex_.is_on_triangle(e))
-        edges_[component_of_[complex_.target(even_halfedge(e))]].push_back(e);
   }
 
-  void add_edge(Mesh& mesh, Edge_index e)
+  // Adds the given vertices, multiplied by a power of two: nothing is rounded, and no product of three coordinates overflows.
+  void add_vertices(Filled_component& component)
   {
-    const Halfedge_index even = even_halfedge(e), odd = opposite_of(even);
-    const auto h = mesh.add_edge();
-    local_halfedges_[even] = h;
-    local_halfedges_[odd] = mesh.opposite(h);
-    mesh.set_target(h, local_vertices_[complex_.target(even)]);
-    mesh.set_target(mesh.opposite(h), local_vertices_[complex_.target(odd)]);
-  }
-
-  bool is_unset(const Mesh& mesh, Halfedge_index h) const
-  {
-    return mesh.face(local_halfedges_[h]) == Mesh::null_face();
-  }
-
-  static void add_face(Mesh& mesh, Mesh::Halfedge_index a, Mesh::Halfedge_index b, Mesh::Halfedge_index c)
-  {
-    const auto face = mesh.add_face();
-    mesh.set_halfedge(face, a);
-    for(const auto& [h, next] : {std::make_pair(a, b), std::make_pair(b, c), std::make_pair(c, a)})
+    const Point& first = points_[Vertex_index(component.given.front())];
+    double size = 0;
+    for(const Index v : component.given)
+      for(int i = 0; i != 3; ++i)
+        size = (std::max)(size, std::abs(points_[Vertex_index(v)][i] / 2 - first[i] / 2));
+    component.exponent = size > 0 ? -std::ilogb(size) : 0;
+    const auto scaled = [&](double x) { return std::scalbn(x, component.exponent); };
+    for(const Index v : component.given)
     {
-      mesh.set_face(h, face);
-      mesh.set_next(h, next);
-      mesh.set_halfedge(mesh.target(h), h);
+      const Point& p = points_[Vertex_index(v)];
+      local_vertices_[Vertex_index(v)] = component.mesh.add_vertex(Point(scaled(p.x()), scaled(p.y()), scaled(p.z())));
     }
   }
+
+  // Returns the halfedges of the surface, in the order of the new ones.
+  std::vector<Halfedge_index> add_edges(Filled_component& component)
+  {
+    std::vector<Halfedge_index> halfedges;
+    std::vector<std::pair<Mesh::Vertex_index, Halfedge_index>> around;
+    for(const Index number : component.given)
+    {
+      const Vertex_index v(number);
+      around.clear();
+      complex_.for_each_edge_around(v, [&](Vertex_index neighbor, Halfedge_index h) {
+        if(local_vertices_[v] < local_vertices_[neighbor])
+          around.emplace_back(local_vertices_[neighbor], complex_.target(h) == v ? opposite_of(h) : h);
+      });
+      std::sort(around.begin(), around.end());
+      for(const auto& [neighbor, h] : around)
+      {
+        const auto added = component.mesh.add_edge();
+        component.mesh.set_target(added, neighbor);
+        component.mesh.set_target(component.mesh.opposite(added), local_vertices_[v]);
+        local_halfedges_[h] = added;
+        local_halfedges_[opposite_of(h)] = component.mesh.opposite(added);
+        halfedges.push_back(h);
+        halfedges.push_back(opposite_of(h));
+      }
+    }
+    return halfedges;
+  }
+
+  bool is_unset(const Mesh& mesh, Halfedge_index h) const { return !mesh.next(local_halfedges_[h]).is_valid(); }
 
   void add_triangle(Mesh& mesh, Halfedge_index h)
   {
     const Halfedge_index second = complex_.next(h), third = complex_.next(second);
-    add_face(mesh, local_halfedges_[h], local_halfedges_[second], local_halfedges_[third]);
+    Border_filling::add_face(mesh, local_halfedges_[h], local_halfedges_[second], local_halfedges_[third]);
   }
 
-  // The halfedge of the border that begins where one ends.
-  Halfedge_index next_on_border(Halfedge_index h) const
-  {
-    Halfedge_index leaving = opposite_of(h);
-    while(complex_.has_triangle(leaving))
-      leaving = opposite_of(complex_.previous(leaving));
-    return leaving;
-  }
-
-  Filled_border fill(Mesh& mesh, Halfedge_index first)
+  // The halfedges of a border, from one of them on, which are linked.
+  std::vector<Mesh::Halfedge_index> border(Mesh& mesh, Halfedge_index first) const
   {
     std::vector<Mesh::Halfedge_index> cycle;
-    std::vector<Point> polygon;
-    Filled_border border;
     Halfedge_index h = first;
     do
     {
       cycle.push_back(local_halfedges_[h]);
-      border.rim.push_back(mesh.source(cycle.back()));
-      polygon.push_back(mesh.point(border.rim.back()));
-      h = next_on_border(h);
+      h = opposite_of(h);
+      while(complex_.has_triangle(h))
+        h = opposite_of(complex_.previous(h));
+      mesh.set_next(cycle.back(), local_halfedges_[h]);
     } while(h != first);
-    const Contour_shape shape = measure(polygon);
-    border.radius = shape.radius();
-    border.apex = mesh.add_vertex(shape.centroid);
-    std::vector<Mesh::Halfedge_index> spokes; // to the apex
-    for(const auto v : border.rim)
-    {
-      spokes.push_back(mesh.add_edge());
-      mesh.set_target(spokes.back(), border.apex);
-      mesh.set_target(mesh.opposite(spokes.back()), v);
-    }
-    for(std::size_t i = 0; i != cycle.size(); ++i)
-      add_face(mesh, cycle[i], spokes[(i + 1) % cycle.size()], mesh.opposite(spokes[i]));
-    return border;
+    return cycle;
   }
 
   const Complex& complex_;
@@ -195,7 +324,6 @@ private:
   Indexed_vector<Halfedge_index, Mesh::Halfedge_index> local_halfedges_;
   Indexed_vector<Vertex_index, Index> component_of_;
   std::vector<std::vector<Index>> given_; // by component
-  std::vector<std::vector<Edge_index>> edges_;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal::skeleton {
@@ -67,14 +68,14 @@ public:
   // The contour at a place of a chain, not quite at its ends.
   Contour_sample sample(Index chain, double place) const
   {
-    const std::vector<Piece>& pieces = chains_[chain].pieces;
-    auto piece = std::upper_bound(pieces.begin(), pieces.end(), place,
-                                  [](double p, const Piece& other) { return p < other.begin; });
-    if(piece != pieces.begin())
-      --piece;
-    const double size = size_of(piece->arc);
-    const double t = size > 0 ? (place - piece->begin) / size : 0.5;
-    return graph_.sample(piece->arc, piece->is_upwards ? t : 1 - t);
+    const auto [arc, t] = place_on_arc(chain, place);
+    return graph_.sample(arc, t);
+  }
+
+  std::vector<Point> contour_points(Index chain, double place) const
+  {
+    const auto [arc, t] = place_on_arc(chain, place);
+    return graph_.contour_points(arc, t);
   }
 
   // The place of a vertex on a chain, or the node that it belongs to, as one of the graph.
@@ -94,6 +95,19 @@ public:
   }
 
 private:
+  // The arc at a place of a chain, and the place there, from 0 to 1.
+  std::pair<Index, double> place_on_arc(Index chain, double place) const
+  {
+    const std::vector<Piece>& pieces = chains_[chain].pieces;
+    auto piece = std::upper_bound(pieces.begin(), pieces.end(), place,
+                                  [](double p, const Piece& other) { return p < other.begin; });
+    if(piece != pieces.begin())
+      --piece;
+    const double size = size_of(piece->arc);
+    const double t = size > 0 ? (place - piece->begin) / size : 0.5;
+    return {piece->arc, piece->is_upwards ? t : 1 - t};
+  }
+
   double size_of(Index arc) const { return graph_.value(graph_.ends(arc)[1]) - graph_.value(graph_.ends(arc)[0]); }
 
   Place place_of_node(Index any, Index& node)

@@ -12,12 +12,15 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Loop_linking.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Loop_tracing.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,11 +32,18 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 class Inside_lines
 {
 public:
-  Inside_lines(const Sampled_graph& graph, const Graph_chains& chains, const Surface_tree& tree, Skeleton_lines& lines)
+  Inside_lines(const Sampled_graph& graph,
+               const Graph_chains& chains,
+               const Surface_tree& tree,
+               Skeleton_lines& lines,
+               double sampling_ratio)
     : graph_(graph),
       chains_(chains),
       tree_(tree),
-      lines_(lines)
+      lines_(lines),
+      sampling_ratio_(sampling_ratio),
+      loops_(chains),
+      number_of_crossings_(chains.chains().size(), 0)
   {
     for(auto& [index, node] : lines.nodes())
       if(node.kind == Line_end::JUNCTION)
@@ -44,6 +54,9 @@ public:
         bring_inside(point);
       refine(chain);
     }
+    let_loops_wind();
+    for(Index chain = 0; chain != lines.lines().size(); ++chain)
+      thin(chain);
     for(auto& [index, node] : lines.nodes())
       if(node.kind != Line_end::TIP)
         measure(node.point, node.kind == Line_end::JUNCTION);
@@ -60,7 +73,12 @@ public:
   }
 
   std::size_t number_outside() const { return number_outside_; }
-  std::size_t number_of_crossings() const { return number_of_crossings_; }
+  std::size_t number_of_crossings() const
+  {
+    return std::accumulate(number_of_crossings_.begin(), number_of_crossings_.end(), std::size_t(0));
+  }
+  // The loops that can be pulled to a point in the solid, or depend on others there.
+  std::size_t number_of_contractible_loops() const { return number_of_contractible_loops_; }
 
 private:
   struct Place
@@ -81,7 +99,7 @@ private:
 
   void measure(Line_point& p, bool is_counted)
   {
-    p.inscribed_radius = tree_.distance_from(p.point, p.on_surface);
+    p.inscribed_radius = tree_.distance_from_wall(p.point, p.on_surface);
     if(is_counted && !tree_.is_inside(p.point))
     {
       p.inscribed_radius = 0;
@@ -102,8 +120,100 @@ private:
     return place;
   }
 
+  // Looks whether loops wind around the holes of the surface, and leads those that do not along it, nearer to it where that is
+  // needed. Chains on loops that meet those are led so, too, as all ends are moved. A loop of the graph can be one around
+  // which contours wind, as in a thick pipe that fronts pass around before they pass along: then it goes around one of them.
+  void let_loops_wind()
+  {
+    if(loops_.cycles().empty())
+      return;
+    const Loop_tracing tracing(graph_, chains_, tree_);
+    std::vector<Probe> probes;
+    for(const Index chain : loops_.closing_chains())
+      probes.emplace_back(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
+    if(loops_.dependent_cycles(probes, polylines()).empty())
+      return;
+    std::vector<bool> is_bad = loops_.chains_of_bad_cycles(probes, polylines());
+    std::vector<bool> is_wound(is_bad.size(), false);
+    for(const Loop_linking::Cycle& cycle : loops_.cycles())
+      probes.emplace_back(tracing.curve(cycle));
+    const auto count = [&](double share) {
+      trace_all(tracing, is_bad, is_wound, share);
+      return loops_.dependent_cycles(probes, polylines()).size();
+    };
+    const double least_share = 1e-6;
+    if(count(1) == 0)
+      return;
+    number_of_contractible_loops_ = count(least_share);
+    for(Index chain = 0; chain != is_bad.size() && number_of_contractible_loops_ != 0; ++chain)
+    {
+      if(!loops_.is_on_cycle(chain))
+        continue;
+      is_bad = loops_.chains_on_cycles();
+      is_wound[chain] = true;
+      const std::size_t number = count(least_share);
+      is_wound[chain] = number < number_of_contractible_loops_;
+      number_of_contractible_loops_ = (std::min)(number, number_of_contractible_loops_);
+    }
+    for(double share = 1; count(share) > number_of_contractible_loops_ && share > least_share;)
+      share /= 100;
+  }
+
+  void trace_all(const Loop_tracing& tracing,
+                 const std::vector<bool>& is_bad,
+                 const std::vector<bool>& is_wound,
+                 double share)
+  {
+    for(Index chain = 0; chain != is_bad.size(); ++chain)
+      if(is_bad[chain])
+        for(const Index end : chains_.chains()[chain].ends)
+        {
+          Line_point& point = lines_.nodes().at(end).point;
+          point.on_surface = graph_.point(end);
+          point.point = tree_.place_beneath(tracing.face_of(end), share);
+        }
+    for(Index chain = 0; chain != is_bad.size(); ++chain)
+      if(is_bad[chain])
+        trace(chain, tracing.path(chain, is_wound[chain]), share);
+      else
+        refine(chain);
+  }
+
+  std::vector<std::vector<Point>> polylines() const
+  {
+    std::vector<std::vector<Point>> result;
+    for(Index chain = 0; chain != chains_.chains().size(); ++chain)
+    {
+      result.push_back({place_of_end(chain, false).point.point});
+      for(const Line_point& p : lines_.lines()[chain])
+        result.back().push_back(p.point);
+      result.back().push_back(place_of_end(chain, true).point.point);
+    }
+    return result;
+  }
+
+  void trace(Index chain, const Loop_tracing::Path& path, double share)
+  {
+    const std::vector<Point> way = tree_.way_along(path.begin, path.steps, share, sampling_ratio_);
+    if(way.empty())
+      return refine(chain);
+    std::vector<double> lengths = {0};
+    for(std::size_t i = 1; i != way.size(); ++i)
+      lengths.push_back(lengths.back() + distance(way[i - 1], way[i]));
+    Skeleton_lines::Line& line = lines_.lines()[chain];
+    line.clear();
+    number_of_crossings_[chain] = 0;
+    for(std::size_t i = 1; i + 1 < way.size(); ++i)
+    {
+      Line_point point = lines_.make_point(chain, chains_.chains()[chain].length * lengths[i] / lengths.back());
+      point.point = way[i];
+      line.push_back(point);
+    }
+  }
+
   void refine(Index chain)
   {
+    number_of_crossings_[chain] = 0;
     std::vector<Line_point>& line = lines_.lines()[chain];
     std::vector<Line_point> result;
     Place last = place_of_end(chain, false);
@@ -116,6 +226,43 @@ private:
       last = next;
     }
     line = std::move(result);
+  }
+
+  // Leaves points out that are much nearer to one neighbor than to the other one, where nothing is in the way, and all that are
+  // where a neighbor is.
+  void thin(Index chain)
+  {
+    std::vector<Place> kept = {place_of_end(chain, false)};
+    std::vector<Line_point>& line = lines_.lines()[chain];
+    for(const Line_point& point : line)
+      add_thinned(chain, {point, std::nullopt}, kept);
+    add_thinned(chain, place_of_end(chain, true), kept);
+    line.clear();
+    for(std::size_t i = 1; i + 1 < kept.size(); ++i)
+      line.push_back(kept[i].point);
+  }
+
+  void add_thinned(Index chain, const Place& next, std::vector<Place>& kept) const
+  {
+    while(kept.size() > 1)
+    {
+      const Place &before = kept[kept.size() - 2], &last = kept.back();
+      const double from = distance(before.point.point, last.point.point),
+                   to = distance(last.point.point, next.point.point);
+      const bool is_same = from == 0 || to == 0;
+      if(!is_same && (std::min)(from, to) >= 0.1 * (std::max)(from, to))
+        break;
+      if(!is_same && is_in_the_way(chain, before, last, next))
+        break;
+      kept.pop_back();
+    }
+    kept.push_back(next);
+  }
+
+  bool is_in_the_way(Index chain, const Place& a, const Place& b, const Place& c) const
+  {
+    return tree_.is_crossed(a.surface_place(), c.surface_place())
+        || (loops_.is_on_cycle(chain) && tree_.is_met_by_triangle(a.point.point, b.point.point, c.point.point));
   }
 
   // Adds what is needed between two points: centers of further contours, or a way beneath the surface.
@@ -137,7 +284,7 @@ private:
     }
     const std::vector<Point> way = tree_.way_beneath(a.surface_place(), b.surface_place());
     if(way.empty())
-      ++number_of_crossings_;
+      ++number_of_crossings_[chain];
     for(std::size_t i = 1; i + 1 < way.size(); ++i)
     {
       const double t = static_cast<double>(i) / static_cast<double>(way.size() - 1);
@@ -152,7 +299,10 @@ private:
   const Graph_chains& chains_;
   const Surface_tree& tree_;
   Skeleton_lines& lines_;
-  std::size_t number_outside_ = 0, number_of_crossings_ = 0;
+  const double sampling_ratio_;
+  const Loop_linking loops_;
+  std::vector<std::size_t> number_of_crossings_; // by chain
+  std::size_t number_outside_ = 0, number_of_contractible_loops_ = 0;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

@@ -76,10 +76,7 @@ public:
   Index place(Mesh::Vertex_index v) const { return places_[v.idx()]; }
 
   // The contour at a place of an arc, 0 at the lower end and 1 at the upper one, not quite at the ends.
-  Contour_sample sample(Index arc, double t) const
-  {
-    return measured(augmentation_.contour(descriptors_[arc], (std::min)((std::max)(t, 1e-6), 1 - 1e-6)));
-  }
+  Contour_sample sample(Index arc, double t) const { return measured(contour(arc, t)); }
 
   // The contour of an arc right beside one of its nodes.
   Contour_sample sample_beside(Index arc, Index node) const
@@ -87,6 +84,22 @@ public:
     const bool is_lower = ends(arc)[0] == node;
     return measured(is_lower ? augmentation_.contour_above(descriptors_[arc], vertex(node))
                              : augmentation_.contour_below(descriptors_[arc], vertex(node)));
+  }
+
+  // The points of such a contour.
+  std::vector<Point> contour_points(Index arc, double t) const
+  {
+    std::vector<Point> points;
+    augmentation_.points_of_contour(contour(arc, t), std::back_inserter(points));
+    return points;
+  }
+
+  // The ascending halfedges from the lower end of an arc to the contour just below the upper end, and those of this contour.
+  std::array<std::vector<Mesh::Halfedge_index>, 2> chain_and_end(Index arc) const
+  {
+    const auto& chain = graph_[descriptors_[arc]].chain;
+    return {std::vector<Mesh::Halfedge_index>(chain.begin(), chain.end()),
+            augmentation_.contour_below(descriptors_[arc], vertex(ends(arc)[1])).edges};
   }
 
   // The number of edges that have been crossed by contours.
@@ -104,6 +117,11 @@ private:
     compute_reeb_graph(mesh, flat_, graph_,
                        parameters::vertex_place_map(place_map).callback(progress.part(0, 0.9).callback()));
     return graph_;
+  }
+
+  Way_back::Contour contour(Index arc, double t) const
+  {
+    return augmentation_.contour(descriptors_[arc], (std::min)((std::max)(t, 1e-6), 1 - 1e-6));
   }
 
   Contour_sample measured(const Way_back::Contour& contour) const

@@ -185,7 +185,7 @@ private:
       result.kind = are_borders_ends_ && component.is_apex(v) ? Line_end::BORDER : Line_end::TIP;
     if(result.kind == Line_end::BORDER)
     {
-      const Filled_border& border = component.borders[v.idx() - component.given.size()];
+      const Filled_border& border = component.borders[component.border_of(v)];
       result.point.radius = border.radius;
       for(const auto u : border.rim)
         result.rim = (std::max)(result.rim, std::abs(graph_.value(u) - graph_.value(v)));

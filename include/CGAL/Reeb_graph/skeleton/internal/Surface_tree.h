@@ -15,7 +15,7 @@
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
@@ -46,30 +46,69 @@ struct Surface_place
   std::optional<Mesh::Vertex_index> vertex;
 };
 
+// A ball inside of a surface.
+struct Inner_ball
+{
+  Point center;
+  double radius = 0;
+};
+
 // A tree over a closed surface: tells what is inside, how far from it, and whether a segment crosses it.
 class Surface_tree
 {
 public:
-  explicit Surface_tree(const Mesh& mesh) : mesh_(mesh), tree_(faces(mesh).first, faces(mesh).second, mesh)
+  // Distances are those from the surface without its openings.
+  Surface_tree(const Filled_component& component, bool are_borders_openings) : mesh_(component.mesh)
   {
-    tree_.build();
-    side_.emplace(tree_);
+    std::vector<Mesh::Face_index> all, walls;
     double volume = 0;
-    const Point origin = mesh.point(*mesh.vertices().begin());
-    for(const auto f : mesh.faces())
+    const Point origin = mesh_.point(*mesh_.vertices().begin());
+    for(const auto f : mesh_.faces())
     {
       const auto [a, b, c] = corners(f);
       volume += cross_product(a - origin, b - origin) * (c - origin);
+      // The edges of a triangle without area belong to others, too.
+      if(collinear(a, b, c) || !(cross_product(b - a, c - a).squared_length() > 0))
+        continue;
+      all.push_back(f);
+      if(!(are_borders_openings && is_of_opening(component, f)))
+        walls.push_back(f);
     }
     is_inward_ = volume < 0;
-    const auto box = tree_.bbox();
+    tree_.insert(all.begin(), all.end(), mesh_);
+    tree_.build();
+    if(walls.size() != all.size() && !walls.empty())
+    {
+      walls_.insert(walls.begin(), walls.end(), mesh_);
+      walls_.build();
+    }
+    const Bbox_3 box = CGAL::bbox_3(mesh_.points().begin(), mesh_.points().end());
     size_ = distance({box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()});
   }
 
-  bool is_inside(const Point& p) const { return (*side_)(p) == ON_BOUNDED_SIDE; }
+  // Whether the surface has any area.
+  bool has_area() const { return !tree_.empty(); }
+
+  // Whether a line from a point in the direction of the first axis crosses the surface an odd number of times. The line is
+  // moved by less than any number, so that it passes no edge: exact signs decide for every surface and every point.
+  bool is_inside(const Point& p) const
+  {
+    Crossings_of_line crossings(*this);
+    tree_.traversal(p, crossings);
+    return crossings.is_odd() && !crossings.is_on_surface();
+  }
 
   // The distance from the surface, which has a point near `p`.
-  double distance_from(const Point& p, const Point& hint) const { return distance(p, tree_.closest_point(p, hint)); }
+  double distance_from(const Point& p, const Point& hint) const
+  {
+    return has_area() ? distance(p, tree_.closest_point(p, hint)) : 0;
+  }
+
+  // The distance from the surface without openings.
+  double distance_from_wall(const Point& p, const Point& hint) const
+  {
+    return walls_.empty() ? distance_from(p, hint) : distance(p, walls_.closest_point(p));
+  }
 
   // Whether a segment meets the surface, other than in a vertex that is its end, by exact predicates.
   bool is_crossed(const Surface_place& from, const Surface_place& to) const
@@ -109,6 +148,30 @@ public:
     return middle ? 2 * distance(p, *middle) : 0;
   }
 
+  // A large ball near a vertex: one that touches the surface straight beneath it, grown away from where it touches.
+  Inner_ball ball_beneath(Mesh::Vertex_index v) const
+  {
+    const Vector inwards = inward_direction(v);
+    Inner_ball ball = {mesh_.point(v) + depth_beneath(v, inwards) / 2 * inwards, 0};
+    if(!is_inside(ball.center))
+      return ball;
+    Point touched = tree_.closest_point(ball.center, mesh_.point(v));
+    ball.radius = distance(ball.center, touched);
+    for(double growth = 1; growth > 0.1;)
+    {
+      const Point center = ball.center + growth * (ball.center - touched);
+      const Point next = tree_.closest_point(center, touched);
+      if(distance(center, next) > (1 + growth / 4) * ball.radius && is_inside(center))
+      {
+        ball = {center, distance(center, next)};
+        touched = next;
+      }
+      else
+        growth /= 2;
+    }
+    return ball;
+  }
+
   // Whether a point is inside, and farther from the surface than by rounding.
   bool is_well_inside(const Point& p, const Point& hint) const
   {
@@ -119,6 +182,8 @@ public:
   // from there, away from the point or straight into the surface; or else right beneath a face.
   std::optional<Point> pulled_inside(const Point& p, const Point& hint) const
   {
+    if(!has_area())
+      return std::nullopt;
     const auto closest = tree_.closest_point_and_primitive(p, {hint, *mesh_.faces().begin()});
     const Vector normal = inward_normal(closest.second);
     for(const Vector& direction : {is_inside(p) ? normal : closest.first - p, normal})
@@ -136,22 +201,77 @@ public:
   // shortcuts. It is empty if there is none.
   std::vector<Point> way_beneath(const Surface_place& from, const Surface_place& to) const
   {
+    if(!has_area())
+      return {};
     std::vector<Sunk_place> way = {{from, NULL_VECTOR, 0}};
     const Mesh::Face_index begin = add_foot(from, way);
     std::vector<Sunk_place> end = {{to, NULL_VECTOR, 0}};
     const Mesh::Face_index last = add_foot(to, end);
-    way.push_back(sunk_center(begin));
-    for(const auto h : path_of_faces(begin, last))
-    {
-      const Mesh::Face_index f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
-      const Point middle = CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)));
-      const Vector normal = inward_normal(f) + inward_normal(g);
-      if(const double size = length(normal); size > 0)
-        way.push_back(sunk(middle, normal / size, f, g));
-      way.push_back(sunk_center(g));
-    }
+    add_path(begin, path_of_faces(begin, last), 1, way);
     way.insert(way.end(), end.rbegin(), end.rend());
     return raise_until_free(way) ? shortened(way) : std::vector<Point>();
+  }
+
+  // A way from beneath a face to beneath another one along a path of faces, in `share` of the depth that it could have. Points
+  // nearer to each other than a share of that are left out if the surface is not met by the triangles that the way then
+  // sweeps. It is empty if there is none.
+  std::vector<Point> way_along(Mesh::Face_index begin,
+                               const std::vector<Mesh::Halfedge_index>& path,
+                               double share,
+                               double ratio) const
+  {
+    std::vector<Sunk_place> way;
+    add_path(begin, path, share, way);
+    if(way.empty())
+      return {};
+    way.insert(way.begin(), way.front());
+    way.push_back(way.back());
+    way.front().inwards = way.back().inwards = NULL_VECTOR; // They stay.
+    if(!raise_until_free(way))
+      return {};
+    std::vector<Point> result = {way.front().place.point};
+    for(std::size_t i = 1; i + 1 < way.size(); ++i)
+    {
+      const Point &next = way[i + 1].place.point, &p = way[i].place.point;
+      if(distance(result.back(), next) > ratio * way[i].depth || is_met_by_triangle(result.back(), p, next))
+        result.push_back(p);
+    }
+    result.push_back(way.back().place.point);
+    return result;
+  }
+
+  // A place beneath a face, in such a depth.
+  Point place_beneath(Mesh::Face_index f, double share) const
+  {
+    std::vector<Sunk_place> way;
+    add_path(f, {}, share, way);
+    return way.empty() ? center(f) : way.front().place.point;
+  }
+
+  // The largest face at a vertex.
+  Mesh::Face_index face_at(Mesh::Vertex_index v) const
+  {
+    Mesh::Face_index largest = mesh_.face(mesh_.halfedge(v));
+    const auto first = mesh_.halfedge(v);
+    auto h = first;
+    do
+    {
+      if(area(mesh_.face(h)) > area(largest))
+        largest = mesh_.face(h);
+      h = mesh_.opposite(mesh_.next(h));
+    } while(h != first);
+    return largest;
+  }
+
+  // Whether the surface meets a triangle.
+  bool is_met_by_triangle(const Point& a, const Point& b, const Point& c) const
+  {
+    if(!collinear(a, b, c))
+      return tree_.do_intersect(Kernel::Triangle_3(a, b, c));
+    const auto is_met = [&](const Point& p, const Point& q) {
+      return p != q && tree_.do_intersect(Kernel::Segment_3(p, q));
+    };
+    return is_met(a, b) || is_met(b, c) || is_met(c, a);
   }
 
 private:
@@ -162,8 +282,61 @@ private:
   typedef AABB_traits<Kernel, Primitive> Traits;
 #endif
   typedef AABB_tree<Traits> Tree;
-  typedef boost::property_map<Mesh, vertex_point_t>::const_type Point_map;
-  typedef Side_of_triangle_mesh<Mesh, Kernel, Point_map, Tree> Side;
+
+  // Counts the faces that a line crosses, as it descends a tree.
+  class Crossings_of_line
+  {
+  public:
+    explicit Crossings_of_line(const Surface_tree& surface) : surface_(surface) {}
+
+    bool is_odd() const { return is_odd_; }
+    bool is_on_surface() const { return is_on_surface_; }
+
+    bool go_further() const { return !is_on_surface_; }
+
+    template <class Node>
+    bool do_intersect(const Point& p, const Node& node) const
+    {
+      const Bbox_3 box = node.bbox();
+      return p.x() <= box.xmax() && box.ymin() <= p.y() && p.y() <= box.ymax() && box.zmin() <= p.z()
+          && p.z() <= box.zmax();
+    }
+
+    void intersection(const Point& p, const Primitive& primitive)
+    {
+      const auto corners = surface_.corners(primitive.id());
+      const auto& [a, b, c] = corners;
+      const Orientation side = orientation(a, b, c, p);
+      if(side == ZERO && Kernel::Triangle_3(a, b, c).has_on(p))
+        is_on_surface_ = true;
+      if(is_on_surface_ || side == ZERO || !is_met(corners, p))
+        return;
+      const Orientation turn = orientation(seen(a), seen(b), seen(c));
+      is_odd_ ^= side != turn; // The face is before the point where this is on the side to which the axis leads.
+    }
+
+  private:
+    static Kernel::Point_2 seen(const Point& p) { return {p.y(), p.z()}; }
+
+    // Whether the line meets a face: each edge that it passes is on the same side of it for both of its faces.
+    static bool is_met(const std::array<Point, 3>& corners, const Point& p)
+    {
+      bool result = false;
+      for(std::size_t i = 0; i != 3; ++i)
+      {
+        const Point *low = &corners[i], *high = &corners[(i + 1) % 3];
+        if((low->z() > p.z()) == (high->z() > p.z()))
+          continue;
+        if(low->z() > p.z())
+          std::swap(low, high);
+        result ^= orientation(seen(*low), seen(*high), seen(p)) == LEFT_TURN;
+      }
+      return result;
+    }
+
+    const Surface_tree& surface_;
+    bool is_odd_ = false, is_on_surface_ = false;
+  };
 
   // A place of a way, which can be brought nearer to the surface.
   struct Sunk_place
@@ -188,6 +361,13 @@ private:
     return !coplanar(a, b, c, has(from) ? to.point : from.point);
   }
 
+  bool is_of_opening(const Filled_component& component, Mesh::Face_index f) const
+  {
+    const auto h = mesh_.halfedge(f);
+    return component.is_apex(mesh_.source(h)) || component.is_apex(mesh_.target(h))
+        || component.is_apex(mesh_.target(mesh_.next(h)));
+  }
+
   std::array<Point, 3> corners(Mesh::Face_index f) const
   {
     const auto h = mesh_.halfedge(f);
@@ -198,6 +378,12 @@ private:
   {
     const auto [a, b, c] = corners(f);
     return CGAL::centroid(a, b, c);
+  }
+
+  double area(Mesh::Face_index f) const
+  {
+    const auto [a, b, c] = corners(f);
+    return length(cross_product(b - a, c - a)) / 2;
   }
 
   // Of length 1, or the null vector if the face has no area.
@@ -252,7 +438,30 @@ private:
     return {{p + depth * inwards, std::nullopt}, inwards, depth};
   }
 
-  Sunk_place sunk_center(Mesh::Face_index f) const { return sunk(center(f), inward_normal(f), f, f); }
+  // Places beneath the centers of faces and the edges between them.
+  void add_path(Mesh::Face_index begin,
+                const std::vector<Mesh::Halfedge_index>& path,
+                double share,
+                std::vector<Sunk_place>& way) const
+  {
+    const auto add = [&](const Point& p, const Vector& inwards, Mesh::Face_index f, Mesh::Face_index g) {
+      const double size = length(inwards);
+      if(!(size > 0))
+        return; // Faces without area have no side.
+      Sunk_place added = sunk(p, inwards / size, f, g);
+      added.place.point = p + share * (added.place.point - p);
+      added.depth *= share;
+      way.push_back(added);
+    };
+    add(center(begin), inward_normal(begin), begin, begin);
+    for(const auto h : path)
+    {
+      const Mesh::Face_index f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
+      add(CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))),
+          inward_normal(f) + inward_normal(g), f, g);
+      add(center(g), inward_normal(g), g, g);
+    }
+  }
 
   // A face at a place, and, if that is inside, on a way to it a point on a ray to the face.
   Mesh::Face_index add_foot(const Surface_place& from, std::vector<Sunk_place>& way) const
@@ -385,8 +594,7 @@ private:
   }
 
   const Mesh& mesh_;
-  Tree tree_;
-  std::optional<Side> side_;
+  Tree tree_, walls_; // The second one is empty if there are no openings.
   bool is_inward_ = false;
   double size_ = 0; // of the bounding box
 };

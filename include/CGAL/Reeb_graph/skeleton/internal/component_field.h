@@ -30,6 +30,28 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 
 typedef Mesh::Property_map<Mesh::Vertex_index, double> Field;
 
+// The vertex that is farthest from the centroid of the surface.
+inline Mesh::Vertex_index farthest_from_centroid(const Mesh& mesh)
+{
+  const Point origin = mesh.point(*mesh.vertices().begin());
+  Vector sum = NULL_VECTOR;
+  double area = 0;
+  for(const auto f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    const Vector a = mesh.point(mesh.source(h)) - origin, b = mesh.point(mesh.target(h)) - origin,
+                 c = mesh.point(mesh.target(mesh.next(h))) - origin;
+    const double size = length(cross_product(b - a, c - a));
+    sum = sum + size / 3 * (a + b + c);
+    area += size;
+  }
+  const Point centroid = area > 0 ? origin + sum / area : origin;
+  const auto range = mesh.vertices();
+  return *std::max_element(range.begin(), range.end(), [&](auto u, auto v) {
+    return squared_distance(centroid, mesh.point(u)) < squared_distance(centroid, mesh.point(v));
+  });
+}
+
 // The vertex that is farthest from another one along edges.
 inline Mesh::Vertex_index farthest_along_edges(const Mesh& mesh, Mesh::Vertex_index from)
 {
@@ -107,7 +129,7 @@ inline Mesh::Vertex_index write_distances(Filled_component& component,
 {
   Mesh& mesh = component.mesh;
   progress(0);
-  auto tip = farthest_along_edges(mesh, *mesh.vertices().begin());
+  auto tip = farthest_along_edges(mesh, farthest_from_centroid(mesh));
   progress(0.15);
   tip = farthest_along_edges(mesh, tip);
   if(are_borders_ends)
@@ -126,18 +148,18 @@ inline void write_values(const Filled_component& component, bool are_borders_end
 {
   for(std::size_t i = 0; i != component.values.size(); ++i)
     field[Mesh::Vertex_index(static_cast<Mesh::size_type>(i))] = component.values[i];
-  for(const Filled_border& border : component.borders)
-  {
-    if(are_borders_ends)
-    {
-      raise_apex(component, border, true, field);
-      continue;
-    }
+  const auto set_mean = [&](const Filled_border& border) {
     double sum = 0;
     for(const auto v : border.rim)
       sum += field[v] / static_cast<double>(border.rim.size());
     field[border.apex] = sum;
-  }
+  };
+  std::for_each(component.seams.begin(), component.seams.end(), set_mean);
+  for(const Filled_border& border : component.borders)
+    if(are_borders_ends)
+      raise_apex(component, border, true, field);
+    else
+      set_mean(border);
 }
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

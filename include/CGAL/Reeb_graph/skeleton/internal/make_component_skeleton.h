@@ -53,6 +53,13 @@ public:
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
       add_arc(chain);
     map_vertices();
+    const auto unscaled = [&](double x) { return std::scalbn(x, -component.exponent); };
+    for(auto& [point, radius, inscribed_radius, arc, place] : result.vertices)
+    {
+      point = Point(unscaled(point.x()), unscaled(point.y()), unscaled(point.z()));
+      radius = unscaled(radius);
+      inscribed_radius = unscaled(inscribed_radius);
+    }
   }
 
 private:
@@ -111,20 +118,20 @@ private:
         places[chain].push_back((std::max)(places[chain].back(), point.place));
       places[chain].push_back(chains_.chains()[chain].length);
     }
+    result_.vertex_map.resize(component_.given.size());
     for(std::size_t i = 0; i != component_.given.size(); ++i)
     {
       Index node = no_index;
       const auto [chain, place] = chains_.place_of(Mesh::Vertex_index(static_cast<Mesh::size_type>(i)), node);
       if(chain == no_index)
       {
-        result_.vertex_map.push_back(numbers_.at(node));
+        result_.vertex_map[i] = numbers_.at(node);
         continue;
       }
       const auto& all = places[chain];
       const auto after =
         static_cast<std::size_t>(std::lower_bound(all.begin() + 1, all.end() - 1, place) - all.begin());
-      result_.vertex_map.push_back(
-        result_.arcs[chain][place - all[after - 1] < all[after] - place ? after - 1 : after]);
+      result_.vertex_map[i] = result_.arcs[chain][place - all[after - 1] < all[after] - place ? after - 1 : after];
     }
   }
 
@@ -179,7 +186,7 @@ Component_skeleton make_component_skeleton(Component component,
   const std::size_t edges_less_vertices = mesh.num_edges() - mesh.num_vertices();
   result.genus = (2 + edges_less_vertices - mesh.num_faces()) / 2;
   result.number_of_loops = std::size_t(graph.number_of_arcs()) + 1 - graph.number_of_nodes();
-  const Surface_tree tree(mesh);
+  const Surface_tree tree(component, options.are_borders_ends);
   progress(0.9);
   std::vector<bool> is_border(graph.number_of_nodes(), false);
   for(Index node = 0; node != graph.number_of_nodes(); ++node)
@@ -189,7 +196,8 @@ Component_skeleton make_component_skeleton(Component component,
   remove_covered_tips(graph, tree, component, options, pruning);
   Graph_chains chains(graph, pruning);
   Skeleton_lines lines(graph, chains, component, options, are_distances);
-  const Inside_lines inside(graph, chains, tree, lines);
+  const Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio);
+  result.number_of_contractible_loops = inside.number_of_contractible_loops();
   result.number_outside = inside.number_outside();
   result.number_of_crossings = inside.number_of_crossings();
   const Skeleton_writing writing(component, chains, lines, result);
