@@ -10,8 +10,10 @@
 #define CGAL_REEB_GRAPH_BENCHMARK_WORK_AND_SPAN_H
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 // Stands in for those parts of TBB that the package uses: runs everything on one thread, and adds up how long it would
@@ -94,6 +96,19 @@ void parallel_invoke(const First& first, const Second& second)
     spend(first);
     spend(second);
   });
+}
+
+// A quicksort as that of TBB: parts are sorted side by side, and split by one task.
+template <class Iterator, class Less>
+void parallel_sort(Iterator first, Iterator last, const Less& less)
+{
+  const auto size = last - first;
+  if(size < 500)
+    return std::sort(first, last, less);
+  std::array<typename std::iterator_traits<Iterator>::value_type, 3> candidates = {*first, first[size / 2], last[-1]};
+  std::sort(candidates.begin(), candidates.end(), less);
+  const Iterator middle = std::partition(first, last, [&](const auto& x) { return less(x, candidates[1]); });
+  parallel_invoke([&] { parallel_sort(first, middle, less); }, [&] { parallel_sort(middle, last, less); });
 }
 
 class global_control
