@@ -145,10 +145,12 @@ private:
     if(count(1) == 0)
       return;
     number_of_contractible_loops_ = count(least_share);
-    for(Index chain = 0; chain != is_bad.size() && number_of_contractible_loops_ != 0; ++chain)
+    std::size_t trials = 200 / loops_.cycles().size(); // All lines are traced in each: few where there are many handles.
+    for(Index chain = 0; chain != is_bad.size() && number_of_contractible_loops_ != 0 && trials != 0; ++chain)
     {
       if(!loops_.is_on_cycle(chain))
         continue;
+      --trials;
       is_bad = loops_.chains_on_cycles();
       is_wound[chain] = true;
       const std::size_t number = count(least_share);
