@@ -145,7 +145,8 @@ private:
     if(count(1) == 0)
       return;
     number_of_contractible_loops_ = count(least_share);
-    std::size_t trials = 200 / loops_.cycles().size(); // All lines are traced in each: few where there are many handles.
+    // All lines are traced in each trial: there are few where there are many handles.
+    std::size_t trials = 200 / loops_.cycles().size();
     for(Index chain = 0; chain != is_bad.size() && number_of_contractible_loops_ != 0 && trials != 0; ++chain)
     {
       if(!loops_.is_on_cycle(chain))

@@ -38,7 +38,7 @@ public:
 
   // The number of crossings of each polyline, by exact signs. Where something is not in general position, all points are moved
   // at random, by less than lines are away from the surface. There are none if the polygon has no size.
-  std::vector<int> crossings(const std::vector<std::vector<Point>>& lines) const
+  std::vector<int> crossings(const std::vector<std::vector<Point>>& lines, const std::vector<Bbox_3>& boxes) const
   {
     std::uint64_t random = 20130617;
     const auto next_between = [&](double low, double high) {
@@ -56,7 +56,7 @@ public:
     std::vector<Point> polygon = polygon_;
     for(int trial = 0; trial != 8; ++trial)
     {
-      if(const auto result = crossings_of_cone(near(middle, 0.25), polygon, lines))
+      if(const auto result = crossings_of_cone(near(middle, 0.25), polygon, lines, boxes))
         return *result;
       for(std::size_t i = 0; i != polygon.size(); ++i)
         polygon[i] = near(polygon_[i], 1e-13);
@@ -70,11 +70,12 @@ private:
   // None if something is not in general position.
   std::optional<std::vector<int>> crossings_of_cone(const Point& apex,
                                                     const std::vector<Point>& polygon,
-                                                    const std::vector<std::vector<Point>>& lines) const
+                                                    const std::vector<std::vector<Point>>& lines,
+                                                    const std::vector<Bbox_3>& boxes) const
   {
     std::vector<int> result(lines.size(), 0);
     for(std::size_t i = 0; i != lines.size(); ++i)
-      for(std::size_t k = 1; k < lines[i].size(); ++k)
+      for(std::size_t k = 1; k < lines[i].size() && do_overlap(boxes[i], box_); ++k)
       {
         const Point &p = lines[i][k - 1], &q = lines[i][k];
         const Bbox_3 box = p.bbox() + q.bbox();
@@ -189,9 +190,12 @@ private:
   std::vector<Row> rows(const std::vector<Probe>& probes, const std::vector<std::vector<Point>>& polylines) const
   {
     std::vector<Row> rows(cycles_.size());
+    std::vector<Bbox_3> boxes;
+    for(const std::vector<Point>& line : polylines)
+      boxes.push_back(CGAL::bbox_3(line.begin(), line.end()));
     for(std::size_t column = 0; column != probes.size(); ++column)
     {
-      const std::vector<int> crossings = probes[column].crossings(polylines);
+      const std::vector<int> crossings = probes[column].crossings(polylines, boxes);
       for(std::size_t i = 0; i != cycles_.size(); ++i)
       {
         int sum = 0;
