@@ -91,7 +91,7 @@ struct Skeleton_certificate
   std::size_t number_of_loops = 0;          ///< independent cycles
   std::size_t genus = 0;                    ///< handles of the surface, borders filled; those of all components
   std::size_t number_of_hidden_handles = 0; ///< handles that are no loop, since they are hidden in a multi-saddle
-  /// loops that can be pulled to a point inside of the surface, or depend on others there; 0 if it does not intersect itself
+  /// loops that can be pulled to a point inside of the surface, or depend on others there; hardly ever any
   std::size_t number_of_contractible_loops = 0;
   std::size_t number_of_vertices_outside = 0;    ///< vertices that are outside; ends do not count
   std::size_t number_of_crossing_edges = 0;      ///< edges that cross the surface other than in an end
