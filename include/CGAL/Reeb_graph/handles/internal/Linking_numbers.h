@@ -13,135 +13,17 @@
 
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Interval_nt.h>
-#include <CGAL/Kernel/global_functions.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/box_intersection_d.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Reeb_graph/internal/space/Projected_segments.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-// A direction of view in which something is not in general position.
-struct Degenerate_direction
-{
-};
-
-// A point as the mean of one, two or three points of the surface: a vertex, the middle of an edge, or of a triangle.
-struct Mean_point
-{
-  std::array<const Closed_surface::Point*, 3> points;
-  int size;
-};
-
-// Exact predicates on segments as they are seen in a direction. They are evaluated with intervals, and with rational
-// numbers where these do not decide. What is not in general position throws Degenerate_direction.
-class Projected_segments
-{
-  template <class FT>
-  using Vector = typename Simple_cartesian<FT>::Vector_3;
-
-public:
-  typedef std::array<Mean_point, 2> Segment;
-
-  explicit Projected_segments(const std::array<double, 3>& direction) : direction_(direction) {}
-
-  // The sign of the crossing of `a` over `b`: 0 if they do not cross, or if `a` is below.
-  int crossing_over(const Segment& a, const Segment& b) const
-  {
-    return decide([&](auto zero) { return crossing_over<decltype(zero)>(a, b); });
-  }
-
-  // The sign of det(a[1] - a[0], b - a[0], c - a[0]) for vertices.
-  int turn(const Segment& a, const Mean_point& b, const Mean_point& c) const
-  {
-    return decide([&](auto zero) {
-      typedef decltype(zero) FT;
-      const Vector<FT> origin = point<FT>(a[0]);
-      return sign_of(determinant(point<FT>(a[1]) - origin, point<FT>(b) - origin, point<FT>(c) - origin));
-    });
-  }
-
-  // The sign of det(a[1] - a[0], direction, b - a[0]).
-  int turn_from_direction(const Segment& a, const Mean_point& b) const
-  {
-    return decide([&](auto zero) {
-      typedef decltype(zero) FT;
-      const Vector<FT> origin = point<FT>(a[0]);
-      return checked(sign_of(determinant(point<FT>(a[1]) - origin, vector<FT>(direction_), point<FT>(b) - origin)));
-    });
-  }
-
-  // From the origin.
-  template <class FT>
-  static Vector<FT> point(const Mean_point& mean)
-  {
-    Vector<FT> sum = vector<FT>(*mean.points[0]);
-    for(int i = 1; i < mean.size; ++i)
-      sum = sum + vector<FT>(*mean.points[i]);
-    return mean.size == 1 ? sum : sum / FT(mean.size);
-  }
-
-private:
-  struct Undecided
-  {
-  };
-
-  template <class Predicate>
-  static int decide(const Predicate& predicate)
-  {
-    try
-    {
-      return predicate(Interval_nt<>(0));
-    }
-    catch(const Undecided&)
-    {
-      return predicate(Exact_rational(0));
-    }
-  }
-
-  static int sign_of(const Interval_nt<>& a) { return a.inf() > 0 ? 1 : a.sup() < 0 ? -1 : throw Undecided(); }
-  static int sign_of(const Exact_rational& a) { return static_cast<int>(CGAL::sign(a)); }
-  static int checked(int sign) { return sign == 0 ? throw Degenerate_direction() : sign; }
-
-  template <class FT>
-  static Vector<FT> vector(const std::array<double, 3>& a)
-  {
-    return {FT(a[0]), FT(a[1]), FT(a[2])};
-  }
-
-  template <class FT>
-  int crossing_over(const Segment& a, const Segment& b) const
-  {
-    const Vector<FT> a0 = point<FT>(a[0]), a1 = point<FT>(a[1]), b0 = point<FT>(b[0]), b1 = point<FT>(b[1]);
-    const Vector<FT> d = vector<FT>(direction_), along_a = a1 - a0, along_b = b1 - b0;
-    const Vector<FT> across_a = cross_product(d, along_a), across_b = cross_product(d, along_b), between = b0 - a0;
-    const int sides_of_b = sign_of(across_a * between) * sign_of(across_a * (b1 - a0));
-    if(sides_of_b > 0)
-      return 0;
-    const int sides_of_a = sign_of(across_b * between) * sign_of(across_b * (b0 - a1));
-    if(sides_of_a > 0) // also if `b` begins on the line of `a`, beyond its end: this looks so from everywhere
-      return 0;
-    if(sides_of_b == 0 || sides_of_a == 0)
-      throw Degenerate_direction();
-    // If they cross, the direction that is common to the normals of both tells which one is above.
-    const Vector<FT> normal = cross_product(along_a, along_b);
-    const int sign = checked(sign_of(normal * d));
-    return sign_of(between * normal) * sign < 0 ? sign : 0;
-  }
-
-  std::array<double, 3> direction_;
-};
 
 typedef boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off> Integer;
 typedef std::vector<std::vector<Integer>> Rows;
@@ -187,28 +69,10 @@ public:
   // direction is in general position, as there is none where triangles have no area, or points are the same.
   Rows operator()() const
   {
-    std::uint64_t random = 20130617;
-    for(int trial = 0; trial != 16; ++trial)
-    {
-      std::array<double, 3> direction;
-      for(double& coordinate : direction)
-      {
-        random = random * 6364136223846793005u + 1442695040888963407u;
-        coordinate = static_cast<double>(random >> 40) / static_cast<double>(1 << 24) - 0.5;
-      }
-      direction[2] += direction[2] < 0 ? -1 : 1;
-      try
-      {
-        return numbers_in(direction);
-      }
-      catch(const Degenerate_direction&)
-      {}
-    }
-    return {};
+    return in_general_direction<Rows>([&](const std::array<double, 3>& direction) { return numbers_in(direction); });
   }
 
 private:
-  typedef Box_intersection_d::Box_with_handle_d<double, 2, const Located_segment*> Box;
   typedef std::vector<long long> Row;
 
   Mean_point vertex(Index v) const { return {{&surface_.points[v], nullptr, nullptr}, 1}; }
@@ -248,7 +112,7 @@ private:
   {
     const Projected_segments view(direction);
     std::map<std::pair<Index, Index>, long long> crossings;
-    cross_segments(view, direction, crossings);
+    cross_segments(view, crossings);
     Rows result = sum_over_loops(crossings);
     for(std::size_t k = 0; k != left_over_.size(); ++k)
       result[k][k] += is_front_below(view, left_over_[k]) ? 1 : 0;
@@ -256,42 +120,16 @@ private:
   }
 
   // Adds minus the sign of each crossing of an edge over a segment, by their pieces.
-  void cross_segments(const Projected_segments& view,
-                      const std::array<double, 3>& direction,
-                      std::map<std::pair<Index, Index>, long long>& crossings) const
+  void cross_segments(const Projected_segments& view, std::map<std::pair<Index, Index>, long long>& crossings) const
   {
-    std::vector<Box> boxes_of_edges = boxes(edges_, direction), boxes_of_crossings = boxes(crossings_, direction);
-    box_intersection_d(boxes_of_edges.begin(), boxes_of_edges.end(), boxes_of_crossings.begin(),
-                       boxes_of_crossings.end(), [&](const Box& a, const Box& b) {
-                         const Located_segment &edge = *a.handle(), &crossing = *b.handle();
-                         if(edge.edge != no_index && edge.edge == crossing.edge)
-                           return; // They touch.
-                         const int sign = view.crossing_over(edge.segment, crossing.segment);
-                         if(sign != 0)
-                           crossings[{edge.piece, crossing.piece}] -= sign;
-                       });
-  }
-
-  // Boxes around the projected segments, by intervals, so that no error of rounding matters.
-  std::vector<Box> boxes(const std::vector<Located_segment>& segments, const std::array<double, 3>& direction) const
-  {
-    typedef Interval_nt<> Interval;
-    const Interval slope_x = Interval(direction[0]) / direction[2], slope_y = Interval(direction[1]) / direction[2];
-    std::vector<Box> result;
-    result.reserve(segments.size());
-    for(const Located_segment& located : segments)
-    {
-      Box box(false, &located);
-      for(const Mean_point& end : located.segment)
-      {
-        const auto p = Projected_segments::point<Interval>(end);
-        std::array<std::pair<double, double>, 2> seen = {(p.x() - slope_x * p.z()).pair(),
-                                                         (p.y() - slope_y * p.z()).pair()};
-        box.extend(seen.data());
-      }
-      result.push_back(box);
-    }
-    return result;
+    view.for_each_pair_that_may_cross(edges_, crossings_,
+                                      [&](const Located_segment& edge, const Located_segment& crossing) {
+                                        if(edge.edge != no_index && edge.edge == crossing.edge)
+                                          return; // They touch.
+                                        const int sign = view.crossing_over(edge.segment, crossing.segment);
+                                        if(sign != 0)
+                                          crossings[{edge.piece, crossing.piece}] -= sign;
+                                      });
   }
 
   // Whether what is just below the middle of an edge is in front of the surface: in the wedge that begins at the face

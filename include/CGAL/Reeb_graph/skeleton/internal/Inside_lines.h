@@ -128,26 +128,26 @@ private:
     if(loops_.cycles().empty())
       return;
     const Loop_tracing tracing(graph_, chains_, tree_);
-    std::vector<Probe> probes;
+    std::vector<Loop_linking::Line> polygons;
     for(const Index chain : loops_.closing_chains())
-      probes.emplace_back(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
-    if(loops_.dependent_cycles(probes, polylines()).empty())
+      polygons.push_back(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
+    const auto rows = loops_.linking_numbers(polylines(), polygons);
+    if(loops_.number_of_dependent(rows) == 0)
       return;
-    std::vector<bool> is_bad = loops_.chains_of_bad_cycles(probes, polylines());
-    std::vector<bool> is_wound(is_bad.size(), false);
+    std::vector<bool> is_bad = loops_.chains_of_bad_cycles(rows), is_wound(is_bad.size(), false);
     for(const Loop_linking::Cycle& cycle : loops_.cycles())
-      probes.emplace_back(tracing.curve(cycle));
+      polygons.push_back(tracing.curve(cycle));
     const auto count = [&](double share) {
       trace_all(tracing, is_bad, is_wound, share);
-      return loops_.dependent_cycles(probes, polylines()).size();
+      return loops_.number_of_dependent(loops_.linking_numbers(polylines(), polygons));
     };
     const double least_share = 1e-6;
     if(count(1) == 0)
       return;
-    number_of_contractible_loops_ = count(least_share);
+    std::size_t least = count(least_share);
     // All lines are traced in each trial: there are few where there are many handles.
     std::size_t trials = 200 / loops_.cycles().size();
-    for(Index chain = 0; chain != is_bad.size() && number_of_contractible_loops_ != 0 && trials != 0; ++chain)
+    for(Index chain = 0; chain != is_bad.size() && least != 0 && trials != 0; ++chain)
     {
       if(!loops_.is_on_cycle(chain))
         continue;
@@ -155,10 +155,11 @@ private:
       is_bad = loops_.chains_on_cycles();
       is_wound[chain] = true;
       const std::size_t number = count(least_share);
-      is_wound[chain] = number < number_of_contractible_loops_;
-      number_of_contractible_loops_ = (std::min)(number, number_of_contractible_loops_);
+      is_wound[chain] = number < least;
+      least = (std::min)(number, least);
     }
-    for(double share = 1; count(share) > number_of_contractible_loops_ && share > least_share;)
+    double share = 1;
+    while((number_of_contractible_loops_ = count(share)) > least && share > least_share)
       share /= 100;
   }
 

@@ -13,107 +13,19 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/union_find.h>
+#include <CGAL/Reeb_graph/internal/space/Projected_segments.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
-
-#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal::skeleton {
-
-// A closed polygon on the surface, which no line of a skeleton meets, and the cone from a point over it. The linking number
-// of a closed line with the polygon is the number of times that it crosses the cone upwards.
-class Probe
-{
-public:
-  explicit Probe(std::vector<Point> polygon) : polygon_(std::move(polygon)), box_(box_of(polygon_)) {}
-
-  // The number of crossings of each polyline, by exact signs. Where something is not in general position, all points are moved
-  // at random, by less than lines are away from the surface. There are none if the polygon has no size.
-  std::vector<int> crossings(const std::vector<std::vector<Point>>& lines, const std::vector<Bbox_3>& boxes) const
-  {
-    std::uint64_t random = 20130617;
-    const auto next_between = [&](double low, double high) {
-      random = random * 6364136223846793005u + 1442695040888963407u;
-      const double t = static_cast<double>(random >> 40) / static_cast<double>(1 << 24);
-      return (1 - t) * low + t * high;
-    };
-    const auto near = [&](const Point& p, double share) {
-      const double dx = share * (box_.xmax() - box_.xmin()), dy = share * (box_.ymax() - box_.ymin()),
-                   dz = share * (box_.zmax() - box_.zmin());
-      return Point(p.x() + next_between(-dx, dx), p.y() + next_between(-dy, dy), p.z() + next_between(-dz, dz));
-    };
-    const Point middle((box_.xmin() + box_.xmax()) / 2, (box_.ymin() + box_.ymax()) / 2,
-                       (box_.zmin() + box_.zmax()) / 2);
-    std::vector<Point> polygon = polygon_;
-    for(int trial = 0; trial != 8; ++trial)
-    {
-      if(const auto result = crossings_of_cone(near(middle, 0.25), polygon, lines, boxes))
-        return *result;
-      for(std::size_t i = 0; i != polygon.size(); ++i)
-        polygon[i] = near(polygon_[i], 1e-13);
-    }
-    return std::vector<int>(lines.size(), 0);
-  }
-
-private:
-  static Bbox_3 box_of(const std::vector<Point>& points) { return CGAL::bbox_3(points.begin(), points.end()); }
-
-  // None if something is not in general position.
-  std::optional<std::vector<int>> crossings_of_cone(const Point& apex,
-                                                    const std::vector<Point>& polygon,
-                                                    const std::vector<std::vector<Point>>& lines,
-                                                    const std::vector<Bbox_3>& boxes) const
-  {
-    std::vector<int> result(lines.size(), 0);
-    for(std::size_t i = 0; i != lines.size(); ++i)
-      for(std::size_t k = 1; k < lines[i].size() && do_overlap(boxes[i], box_); ++k)
-      {
-        const Point &p = lines[i][k - 1], &q = lines[i][k];
-        const Bbox_3 box = p.bbox() + q.bbox();
-        if(p == q || !do_overlap(box, box_))
-          continue;
-        for(std::size_t j = 0; j != polygon.size(); ++j)
-        {
-          const Point &u = polygon[j], &v = polygon[(j + 1) % polygon.size()];
-          if(u == v || !do_overlap(box, apex.bbox() + u.bbox() + v.bbox()))
-            continue;
-          const std::optional<int> sign = crossing(p, q, apex, u, v);
-          if(!sign)
-            return std::nullopt;
-          result[i] += *sign;
-        }
-      }
-    return result;
-  }
-
-  static std::optional<int> crossing(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c)
-  {
-    const int from = orientation(a, b, c, p), to = orientation(a, b, c, q);
-    if(from == 0 || to == 0)
-      return std::nullopt;
-    if(from == to)
-      return 0;
-    const std::array<int, 3> sides = {orientation(p, q, a, b), orientation(p, q, b, c), orientation(p, q, c, a)};
-    const auto [least, greatest] = std::minmax_element(sides.begin(), sides.end());
-    if(*least == -1 && *greatest == 1)
-      return 0;
-    if(*least == 0 || *greatest == 0)
-      return std::nullopt;
-    return to;
-  }
-
-  std::vector<Point> polygon_;
-  Bbox_3 box_;
-};
 
 // Whether the loops of a skeleton are independent in the solid that the surface bounds. They are if the linking numbers with
 // curves on the surface are.
@@ -139,25 +51,61 @@ public:
   bool is_on_cycle(Index chain) const { return is_on_cycle_[chain]; }
   const std::vector<bool>& chains_on_cycles() const { return is_on_cycle_; }
 
-  // The cycles that depend on the ones before them.
-  std::vector<std::size_t> dependent_cycles(const std::vector<Probe>& probes,
-                                            const std::vector<std::vector<Point>>& polylines) const
+  typedef std::vector<Point> Line;
+  typedef std::map<std::size_t, std::int64_t> Row; // by column, modulo a prime number
+
+  // The linking numbers of each cycle with closed polygons on the surface: the sums of its signed crossings over them. The lines of
+  // chains must not meet the polygons.
+  std::vector<Row> linking_numbers(const std::vector<Line>& lines, const std::vector<Line>& polygons) const
   {
-    std::vector<Row> all = rows(probes, polylines);
-    std::vector<std::size_t> result;
+    Segments over, under;
+    for(Index chain = 0; chain != lines.size(); ++chain)
+      if(is_on_cycle_[chain])
+        over.add(lines[chain], chain);
+    for(Index column = 0; column != polygons.size(); ++column)
+    {
+      Line closed = polygons[column];
+      closed.push_back(closed.front());
+      under.add(closed, column);
+    }
+    typedef std::vector<std::map<std::size_t, int>> Crossings; // by chain, then by polygon
+    const auto crossings = in_general_direction<Crossings>([&](const std::array<double, 3>& direction) {
+      Crossings result(lines.size());
+      const Projected_segments view(direction);
+      view.for_each_pair_that_may_cross(over.all, under.all, [&](const auto& a, const auto& b) {
+        if(const int sign = view.crossing_over(a.segment, b.segment))
+          result[a.piece][b.piece] += sign;
+      });
+      return result;
+    });
+    std::vector<Row> rows(cycles_.size());
+    for(std::size_t i = 0; i != cycles_.size() && !crossings.empty(); ++i)
+    {
+      std::map<std::size_t, int> sums;
+      for(const auto& [chain, direction] : cycles_[i])
+        for(const auto& [column, number] : crossings[chain])
+          sums[column] += direction * number;
+      for(const auto& [column, sum] : sums)
+        if(sum != 0)
+          rows[i][column] = (sum + prime) % prime;
+    }
+    return rows;
+  }
+
+  // The number of cycles that depend on the ones before them.
+  static std::size_t number_of_dependent(std::vector<Row> rows)
+  {
+    std::size_t result = 0;
     std::map<std::size_t, Row> pivots; // by column, with 1 there
-    for(std::size_t i = 0; i != all.size(); ++i)
-      if(!reduce(all[i], pivots))
-        result.push_back(i);
+    for(Row& row : rows)
+      result += reduce(row, pivots) ? 0 : 1;
     return result;
   }
 
-  // The chains of cycles that do not wind once around the contour of their closing chain, the first probes, and around no other
-  // one, and of all cycles that meet these.
-  std::vector<bool> chains_of_bad_cycles(const std::vector<Probe>& probes,
-                                         const std::vector<std::vector<Point>>& polylines) const
+  // The chains of cycles that do not wind once around the contour of their closing chain, in the first columns, and around no
+  // other one, and of all cycles that meet these.
+  std::vector<bool> chains_of_bad_cycles(const std::vector<Row>& all) const
   {
-    const std::vector<Row> all = rows(probes, polylines);
     std::vector<bool> is_bad(chains_.chains().size(), false), is_node_bad(arcs_of_.size(), false);
     const auto add = [&](Index chain) {
       is_bad[chain] = true;
@@ -184,29 +132,32 @@ public:
   }
 
 private:
-  typedef std::map<std::size_t, std::int64_t> Row; // by column, modulo a prime number
   static constexpr std::int64_t prime = 2147483647;
 
-  std::vector<Row> rows(const std::vector<Probe>& probes, const std::vector<std::vector<Point>>& polylines) const
+  // Segments with the number of their line.
+  struct Segments
   {
-    std::vector<Row> rows(cycles_.size());
-    std::vector<Bbox_3> boxes;
-    for(const std::vector<Point>& line : polylines)
-      boxes.push_back(CGAL::bbox_3(line.begin(), line.end()));
-    for(std::size_t column = 0; column != probes.size(); ++column)
+    struct Located
     {
-      const std::vector<int> crossings = probes[column].crossings(polylines, boxes);
-      for(std::size_t i = 0; i != cycles_.size(); ++i)
+      Projected_segments::Segment segment;
+      Index piece;
+    };
+    std::deque<std::array<double, 3>> points;
+    std::vector<Located> all;
+
+    void add(const Line& line, Index piece)
+    {
+      for(std::size_t i = 0; i != line.size(); ++i)
       {
-        int sum = 0;
-        for(const auto& [chain, direction] : cycles_[i])
-          sum += direction * crossings[chain];
-        if(sum != 0)
-          rows[i][column] = (sum + prime) % prime;
+        if(i != 0 && line[i] == line[i - 1])
+          continue;
+        points.push_back({line[i].x(), line[i].y(), line[i].z()});
+        const auto end = [&](std::size_t k) { return Mean_point{{&points[points.size() - k], nullptr, nullptr}, 1}; };
+        if(i != 0)
+          all.push_back({{end(2), end(1)}, piece});
       }
     }
-    return rows;
-  }
+  };
 
   void find_tree()
   {
