@@ -405,6 +405,9 @@ BOOST_AUTO_TEST_CASE(units_change_nothing)
   soups.push_back({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}});
   soups.push_back(open_tube(8, 5, 3, false));
   soups.back().points[9] = soups.back().points[8]; // Two faces have no area.
+  soups.push_back(
+    {{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}}, // Two sheets that are pressed together.
+     {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}});
   for(const auto& soup : soups)
   {
     const auto mesh = make_mesh<Surface_mesh>(soup);
