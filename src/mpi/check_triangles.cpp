@@ -14,6 +14,9 @@
 
 namespace reeb_graph_program {
 namespace {
+// Ranks look nothing over, as faces keep their numbers in the file.
+constexpr const char* way_out = "; reeb_graph repair writes a file without such faces";
+
 [[noreturn]] void fail(const std::string& path, std::uint64_t face, const std::string& message)
 {
   throw Input_error(path, "face " + std::to_string(face) + message);
@@ -30,16 +33,16 @@ void check_triangle(const std::string& path,
   if(std::max({a, b, c}) >= number_of_vertices)
     fail(path, face, " has a vertex that does not exist");
   if(a == b || b == c || c == a)
-    fail(path, face, " has vertex " + std::to_string(b == c ? b : a) + " at two of its corners");
+    fail(path, face, " has vertex " + std::to_string(b == c ? b : a) + " at two of its corners" + way_out);
 }
 
 void throw_for_polygon(const std::string& path, std::uint64_t face, double number_of_corners)
 {
   if(number_of_corners < 3)
-    fail(path, face, " has fewer than three vertices");
+    fail(path, face, std::string(" has fewer than three vertices") + way_out);
   fail(path, face,
        " has " + std::to_string(static_cast<std::uint64_t>(number_of_corners))
-         + " vertices and is not a triangle; ranks share files of triangles");
+         + " vertices and is not a triangle; reeb_graph repair --triangulate writes a file of triangles");
 }
 
 } // namespace reeb_graph_program
