@@ -1,0 +1,203 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "generated_surfaces.h"
+#include "handle_samples.h"
+#include "linking_oracle.h"
+#include "mesh_builders.h"
+#include "tube_samples.h"
+#include "voxel_solids.h"
+
+#include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
+#include <CGAL/Reeb_graph/scalar_maps.h>
+#include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <deque>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Loops of curve skeletons are independent in the solid, and a basis of its loops where it is no coarse heap of cubes:
+// their linking numbers with the handles, whose discs they pass, have a determinant that is not 0, or is 1 or -1. They are
+// counted from the points alone, in a fixed view.
+
+BOOST_AUTO_TEST_SUITE(test_skeleton_loops)
+
+using generated_surfaces::Triangle_soup;
+using linking_oracle::Polygon;
+using mesh_builders::Surface_mesh;
+typedef CGAL::Reeb_graph::Curve_skeleton<Surface_mesh> Skeleton;
+typedef std::vector<std::vector<double>> Matrix;
+
+namespace {
+// A cycle for each edge that is in no spanning forest.
+std::vector<Polygon> cycles_of(const Skeleton& skeleton)
+{
+  constexpr std::size_t none = std::size_t(-1);
+  std::vector<std::size_t> parents(num_vertices(skeleton), none), depths(parents.size(), 0);
+  std::vector<std::pair<std::size_t, std::size_t>> others;
+  for(std::size_t root = 0; root != parents.size(); ++root)
+  {
+    std::deque<std::size_t> queue;
+    if(parents[root] == none)
+      queue.push_back(parents[root] = root);
+    for(; !queue.empty(); queue.pop_front())
+      for(const auto e : CGAL::make_range(out_edges(queue.front(), skeleton)))
+        if(const std::size_t v = target(e, skeleton); parents[v] == none)
+        {
+          parents[v] = queue.front();
+          depths[v] = depths[queue.front()] + 1;
+          queue.push_back(v);
+        }
+  }
+  std::map<std::pair<std::size_t, std::size_t>, bool> is_in_forest; // those of them that were passed
+  for(const auto e : CGAL::make_range(edges(skeleton)))
+  {
+    const std::size_t u = source(e, skeleton), v = target(e, skeleton);
+    if(!(parents[u] == v || parents[v] == u) || std::exchange(is_in_forest[std::minmax(u, v)], true))
+      others.emplace_back(u, v);
+  }
+  std::vector<Polygon> cycles;
+  const auto point = [&](std::size_t v) {
+    return linking_oracle::Vector{skeleton[v].point.x(), skeleton[v].point.y(), skeleton[v].point.z()};
+  };
+  for(auto [u, v] : others)
+  {
+    std::deque<std::size_t> way;
+    for(std::deque<std::size_t> back;;)
+    {
+      if(u == v)
+      {
+        way.push_back(u);
+        way.insert(way.end(), back.begin(), back.end());
+        break;
+      }
+      if(depths[u] >= depths[v])
+        way.push_back(std::exchange(u, parents[u]));
+      else
+        back.push_front(std::exchange(v, parents[v]));
+    }
+    cycles.emplace_back();
+    for(const std::size_t w : way)
+      cycles.back().push_back(point(w));
+  }
+  return cycles;
+}
+
+// Entries are small whole numbers, so that doubles with pivots of largest size suffice.
+double determinant(Matrix matrix)
+{
+  double result = 1;
+  for(std::size_t i = 0; i != matrix.size(); ++i)
+  {
+    std::size_t pivot = i;
+    for(std::size_t row = i; row != matrix.size(); ++row)
+      if(std::abs(matrix[row][i]) > std::abs(matrix[pivot][i]))
+        pivot = row;
+    if(matrix[pivot][i] == 0)
+      return 0;
+    if(pivot != i)
+      result = -result;
+    std::swap(matrix[pivot], matrix[i]);
+    result *= matrix[i][i];
+    for(std::size_t row = i + 1; row != matrix.size(); ++row)
+      for(std::size_t column = matrix.size(); column-- != i;)
+        matrix[row][column] -= matrix[row][i] / matrix[i][i] * matrix[i][column];
+  }
+  return result;
+}
+
+// Returns the number of loops.
+std::size_t check_basis(const Triangle_soup& soup, bool is_basis = true)
+{
+  const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
+  Skeleton skeleton;
+  const auto known = extract_curve_skeleton(mesh, skeleton);
+  if(known.number_of_crossing_components != 0 || known.number_of_hidden_handles != 0)
+    return 0;
+  const std::vector<Polygon> cycles = cycles_of(skeleton);
+  const auto height = CGAL::Reeb_graph::make_scalar_map_from_function(mesh, [&](auto v) { return mesh.point(v).z(); });
+  const auto found = CGAL::Reeb_graph::handle_and_tunnel_loops(mesh, height);
+  std::vector<Polygon> handles;
+  for(const auto& loop : found.loops())
+  {
+    if(loop.kind != CGAL::Reeb_graph::Loop_kind::HANDLE)
+      continue;
+    handles.emplace_back();
+    for(const auto h : loop.halfedges)
+    {
+      const auto& p = mesh.point(source(h, mesh));
+      handles.back().push_back({p.x(), p.y(), p.z()});
+    }
+  }
+  BOOST_TEST_REQUIRE(handles.size() == cycles.size());
+  Matrix matrix;
+  for(const Polygon& cycle : cycles)
+  {
+    matrix.emplace_back();
+    for(const Polygon& handle : handles)
+      matrix.back().push_back(linking_oracle::linking_number(cycle, handle));
+  }
+  const double found_determinant = std::abs(determinant(matrix));
+  BOOST_TEST((is_basis ? std::abs(found_determinant - 1) < 1e-6 : found_determinant > 0.5));
+  return cycles.size();
+}
+
+// A tube around a knot on a torus, which passes p times around its axis and q times through its hole.
+Triangle_soup torus_knot(int p, int q, double radius)
+{
+  const auto curve = [&](double t) {
+    const double rho = 2 + 0.8 * std::cos(q * t);
+    return handle_samples::Vector{rho * std::cos(p * t), rho * std::sin(p * t), 0.8 * std::sin(q * t)};
+  };
+  return handle_samples::tube(curve, 100 * static_cast<std::size_t>(p + q), 14, radius);
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(loops_of_knots_and_links_are_a_basis)
+{
+  BOOST_TEST(check_basis(handle_samples::knotted_torus()) == 1u);
+  BOOST_TEST(check_basis(handle_samples::linked_tori()) == 2u);
+  for(const double radius : {0.05, 0.2, 0.3})
+    for(const auto& [p, q] : {std::pair(1, 0), {1, 3}, {2, 3}, {3, 2}, {2, 5}, {3, 4}})
+      if(radius < 0.3 || p < 3)
+        BOOST_TEST_CONTEXT("knot " << p << ", " << q << ", radius " << radius)
+  BOOST_TEST(check_basis(torus_knot(p, q, radius)) == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(loops_of_ladders_and_of_higher_genus_are_a_basis)
+{
+  for(std::size_t loops = 1; loops != 9; ++loops)
+    BOOST_TEST_CONTEXT("loops " << loops)
+  BOOST_TEST(check_basis(tube_samples::surface(tube_samples::ladder(loops), loops % 2 == 0 ? 0.03 : 0, loops))
+             == loops);
+  for(unsigned genus = 1; genus != 21; ++genus)
+    BOOST_TEST_CONTEXT("genus " << genus)
+  BOOST_TEST(check_basis(generated_surfaces::closed_surface(genus, 3000)) == genus);
+  for(const double radius : {4., 6.})
+    BOOST_TEST(check_basis(handle_samples::gyroid(radius, 0.5)) > 1u);
+}
+
+BOOST_AUTO_TEST_CASE(loops_of_solids_of_cubes_are_independent)
+{
+  std::size_t sum = 0;
+  for(std::size_t seed = 0; seed != 200; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+  sum += check_basis(Voxel_solid(3 + static_cast<int>(seed % 3), seed).surface(), false);
+  BOOST_TEST(sum > 200u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
