@@ -82,55 +82,43 @@ void write_counts(std::ostream& out, const Complex_counts& complex)
 
 nlohmann::ordered_json json_of(const Surface_counts& surface)
 {
-  nlohmann::ordered_json json;
-  json["vertices"] = surface.vertices;
-  json["edges"] = surface.edges;
-  json["faces"] = surface.faces;
-  json["components"] = surface.components;
-  json["border_loops"] = surface.border_loops;
-  json["euler_characteristic"] = surface.euler_characteristic;
-  json["genus"] = nullptr;
-  if(surface.genus)
-    json["genus"] = *surface.genus;
-  json["complex"] = nullptr;
-  return json;
+  return {{"vertices", surface.vertices},
+          {"edges", surface.edges},
+          {"faces", surface.faces},
+          {"components", surface.components},
+          {"border_loops", surface.border_loops},
+          {"euler_characteristic", surface.euler_characteristic},
+          {"genus", surface.genus},
+          {"complex", nullptr}};
 }
 
 nlohmann::ordered_json json_of(const Complex_counts& complex)
 {
-  nlohmann::ordered_json json;
-  json["vertices"] = complex.vertices;
-  json["edges"] = complex.edges;
-  json["faces"] = complex.triangles;
-  json["components"] = complex.components;
-  json["border_loops"] = nullptr;
-  json["euler_characteristic"] = complex.euler_characteristic();
-  json["genus"] = nullptr;
   const auto number_of_places = [&](std::size_t number) { // which are not counted where there are tetrahedra
-    return complex.tetrahedra == 0 ? nlohmann::ordered_json(number) : nlohmann::ordered_json();
+    return complex.tetrahedra == 0 ? std::make_optional(number) : std::nullopt;
   };
-  nlohmann::ordered_json& places = json["complex"];
-  places["tetrahedra"] = complex.tetrahedra;
-  places["edges_without_faces"] = complex.edges_without_triangles;
-  places["first_edge_without_faces"] = nullptr;
-  if(const auto& edge = complex.first_edge_without_triangles)
-    places["first_edge_without_faces"] = {edge->first, edge->second};
-  places["duplicate_faces"] = complex.duplicate_faces;
-  places["first_duplicate_face"] = nullptr;
-  if(complex.first_duplicate_face)
-    places["first_duplicate_face"] = *complex.first_duplicate_face;
-  places["edges_of_many_faces"] = number_of_places(complex.edges_of_many_faces);
-  places["first_edge_of_many_faces"] = nullptr;
+  nlohmann::ordered_json places = {{"tetrahedra", complex.tetrahedra},
+                                   {"edges_without_faces", complex.edges_without_triangles},
+                                   {"first_edge_without_faces", complex.first_edge_without_triangles},
+                                   {"duplicate_faces", complex.duplicate_faces},
+                                   {"first_duplicate_face", complex.first_duplicate_face},
+                                   {"edges_of_many_faces", number_of_places(complex.edges_of_many_faces)},
+                                   {"first_edge_of_many_faces", nullptr},
+                                   {"vertices_of_several_fans", number_of_places(complex.vertices_of_several_fans)},
+                                   {"first_vertex_of_several_fans", nullptr},
+                                   {"first_edge_without_orientation", complex.first_edge_without_orientation}};
   if(const auto& edge = complex.first_edge_of_many_faces)
     places["first_edge_of_many_faces"] = {{"vertices", {edge->u, edge->v}}, {"faces", edge->faces}};
-  places["vertices_of_several_fans"] = number_of_places(complex.vertices_of_several_fans);
-  places["first_vertex_of_several_fans"] = nullptr;
   if(const auto& vertex = complex.first_vertex_of_several_fans)
     places["first_vertex_of_several_fans"] = {{"vertex", vertex->vertex}, {"fans", vertex->fans}};
-  places["first_edge_without_orientation"] = nullptr;
-  if(const auto& edge = complex.first_edge_without_orientation)
-    places["first_edge_without_orientation"] = {edge->first, edge->second};
-  return json;
+  return {{"vertices", complex.vertices},
+          {"edges", complex.edges},
+          {"faces", complex.triangles},
+          {"components", complex.components},
+          {"border_loops", nullptr},
+          {"euler_characteristic", complex.euler_characteristic()},
+          {"genus", nullptr},
+          {"complex", places}};
 }
 
 // As the option --embedding calls it.
@@ -144,27 +132,19 @@ std::string name_of(CGAL::Reeb_graph::Embedding_manner manner)
 
 nlohmann::ordered_json json_of(const Simplification_counts& simplification)
 {
-  nlohmann::ordered_json json;
-  json["threshold"] = json_number(simplification.threshold);
-  json["nodes"] = simplification.graph.nodes;
-  json["arcs"] = simplification.graph.arcs;
-  json["loops"] = simplification.graph.loops;
-  json["arcs_of_length_zero"] = simplification.graph.arcs_of_length_zero;
-  json["largest_change"] = json_number(simplification.largest_change);
-  json["ties_contracted"] = simplification.are_ties_contracted;
-  return json;
+  return {{"threshold", simplification.threshold},
+          {"nodes", simplification.graph.nodes},
+          {"arcs", simplification.graph.arcs},
+          {"loops", simplification.graph.loops},
+          {"arcs_of_length_zero", simplification.graph.arcs_of_length_zero},
+          {"largest_change", simplification.largest_change},
+          {"ties_contracted", simplification.are_ties_contracted}};
 }
 
 nlohmann::ordered_json json_of(const CGAL::Reeb_graph::Simplification_threshold& threshold)
 {
-  nlohmann::ordered_json json;
-  json["threshold"] = json_number(threshold.threshold);
-  json["gap"] = json_number(threshold.gap);
-  json["nodes"] = threshold.nodes;
-  json["leaves"] = threshold.leaves;
-  json["loops"] = threshold.loops;
-  json["suggested"] = threshold.is_suggested;
-  return json;
+  return {{"threshold", threshold.threshold}, {"gap", threshold.gap},     {"nodes", threshold.nodes},
+          {"leaves", threshold.leaves},       {"loops", threshold.loops}, {"suggested", threshold.is_suggested}};
 }
 
 nlohmann::ordered_json json_of(const Arc_table& table)
@@ -174,18 +154,15 @@ nlohmann::ordered_json json_of(const Arc_table& table)
     rows.push_back({{"arc", rows.size()},
                     {"from", ends.lower_node},
                     {"to", ends.upper_node},
-                    {"lower_value", json_number(ends.lower_value)},
-                    {"upper_value", json_number(ends.upper_value)}});
-  const auto add = [&](const std::string& name, const auto& numbers, const auto& json_of_number) {
-    for(std::size_t arc = 0; arc != rows.size(); ++arc)
-      rows[arc][name] = json_of_number(numbers[arc]);
-  };
+                    {"lower_value", ends.lower_value},
+                    {"upper_value", ends.upper_value}});
   for(const auto& column : table.columns)
-    if(const auto* const numbers = std::get_if<std::vector<double>>(&column.attribute.numbers))
-      add(column.attribute.name, *numbers, [](double number) { return json_number(number); });
-    else
-      add(column.attribute.name, std::get<std::vector<std::int64_t>>(column.attribute.numbers),
-          [](std::int64_t number) { return number; });
+    std::visit(
+      [&](const auto& numbers) {
+        for(std::size_t arc = 0; arc != rows.size(); ++arc)
+          rows[arc][column.attribute.name] = numbers[arc];
+      },
+      column.attribute.numbers);
   return rows;
 }
 
@@ -254,20 +231,16 @@ void add_ranks(nlohmann::ordered_json& json, const Ranks_report& report)
 {
   json["ranks"] = report.ranks.size();
   json["slabs"] = report.slabs;
-  json["slabs_per_triangle"] = json_number(report.slabs_per_triangle);
+  json["slabs_per_triangle"] = report.slabs_per_triangle;
   json["cpu_seconds"] = json_of_steps(cpu_seconds(report));
   json["per_rank"] = nlohmann::ordered_json::array();
   for(const Rank_report& rank : report.ranks)
-  {
-    nlohmann::ordered_json row;
-    row["vertices"] = rank.vertices;
-    row["triangles"] = rank.triangles;
-    row["copies"] = rank.copies;
-    row["bytes_sent"] = rank.bytes_sent;
-    row["cpu_seconds"] = json_of_steps(rank.cpu_seconds);
-    row["peak_memory_bytes"] = rank.peak_memory_bytes;
-    json["per_rank"].push_back(row);
-  }
+    json["per_rank"].push_back({{"vertices", rank.vertices},
+                                {"triangles", rank.triangles},
+                                {"copies", rank.copies},
+                                {"bytes_sent", rank.bytes_sent},
+                                {"cpu_seconds", json_of_steps(rank.cpu_seconds)},
+                                {"peak_memory_bytes", rank.peak_memory_bytes}});
 }
 
 void write_ranks(std::ostream& out, const Ranks_report& report)
@@ -340,26 +313,21 @@ void write_json(std::ostream& out, const Report& report)
   json["arcs"] = report.graph.arcs;
   json["loops"] = report.graph.loops;
   json["arcs_of_length_zero"] = report.graph.arcs_of_length_zero;
-  json["hidden_handles"] = nullptr;
-  if(report.graph.hidden_handles)
-    json["hidden_handles"] = *report.graph.hidden_handles;
+  json["hidden_handles"] = report.graph.hidden_handles;
   json["thresholds"] = nlohmann::ordered_json::array();
   json["suggested_threshold"] = nullptr;
   for(const auto& threshold : report.thresholds)
   {
     json["thresholds"].push_back(json_of(threshold));
     if(threshold.is_suggested)
-      json["suggested_threshold"] = json_number(threshold.threshold);
+      json["suggested_threshold"] = threshold.threshold;
   }
   json["simplified"] = nullptr;
   if(report.simplification)
     json["simplified"] = json_of(*report.simplification);
-  json["embedding"] = nullptr;
-  if(report.embedding_manner)
-    json["embedding"] = name_of(*report.embedding_manner);
+  json["embedding"] = report.embedding_manner ? std::make_optional(name_of(*report.embedding_manner)) : std::nullopt;
   if(report.longest_loop)
-    json["longest_loop"] = {{"persistence", json_number(report.longest_loop->persistence)},
-                            {"length", json_number(report.longest_loop->length)}};
+    json["longest_loop"] = {{"persistence", report.longest_loop->persistence}, {"length", report.longest_loop->length}};
   json["arc_table"] = report.arc_table != nullptr ? json_of(*report.arc_table) : nlohmann::ordered_json();
   add_field_and_costs(json, report);
   if(report.ranks)

@@ -121,7 +121,7 @@ void write_json(std::ostream& out, const Repair_report& report)
   for(const Merged_field& field : report.fields)
     json["fields"].push_back({{"name", field.name},
                               {"differing_points", field.differing_points},
-                              {"largest_difference", json_number(field.largest_difference)}});
+                              {"largest_difference", field.largest_difference}});
   json["lost_fields"] = report.lost_fields;
   add_field_and_costs(json, report);
   write_line(out, json);

@@ -32,26 +32,19 @@ nlohmann::ordered_json json_of(const std::vector<Fixed_values::Place>& places)
 
 nlohmann::ordered_json json_of(const Input_findings& input)
 {
-  nlohmann::ordered_json json;
-  json["faces"] = input.faces;
-  json["kept_faces"] = input.kept_faces();
-  json["faces_with_repeated_corner"] = input.degenerate_faces.size();
-  json["first_face_with_repeated_corner"] = nullptr;
-  if(!input.degenerate_faces.empty())
-    json["first_face_with_repeated_corner"] = input.degenerate_faces.front();
-  json["faces_with_few_corners"] = input.faces_of_few_corners;
-  json["repeated_faces"] = input.repeated_faces.size();
-  json["first_repeated_face"] = nullptr;
-  if(!input.repeated_faces.empty())
-    json["first_repeated_face"] = input.repeated_faces.front();
-  json["isolated_points"] = input.isolated_points;
-  json["coinciding_border_points"] = input.close_points.coinciding;
-  json["close_border_points"] = input.close_points.close;
-  json["close_distance"] = json_number(input.close_points.largest_distance);
-  json["suggested_repair"] = nullptr;
-  if(input.close_points.is_any())
-    json["suggested_repair"] = suggested_repair(input.close_points);
-  return json;
+  const Close_points& points = input.close_points;
+  return {{"faces", input.faces},
+          {"kept_faces", input.kept_faces()},
+          {"faces_with_repeated_corner", input.degenerate_faces.size()},
+          {"first_face_with_repeated_corner", first_of(input.degenerate_faces)},
+          {"faces_with_few_corners", input.faces_of_few_corners},
+          {"repeated_faces", input.repeated_faces.size()},
+          {"first_repeated_face", first_of(input.repeated_faces)},
+          {"isolated_points", input.isolated_points},
+          {"coinciding_border_points", points.coinciding},
+          {"close_border_points", points.close},
+          {"close_distance", points.largest_distance},
+          {"suggested_repair", points.is_any() ? std::make_optional(suggested_repair(points)) : std::nullopt}};
 }
 
 // The vertices with this value, of which the first few are named.
@@ -128,12 +121,8 @@ void write_line(std::ostream& out, const nlohmann::ordered_json& json)
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
 {
   json["input"] = report.input ? json_of(*report.input) : nlohmann::ordered_json();
-  json["bad_faces"] = json["added_length"] = nullptr;
-  if(report.field)
-  {
-    json["bad_faces"] = report.field->number_of_bad_faces;
-    json["added_length"] = report.field->added_length;
-  }
+  json["added_length"] = report.field ? std::make_optional(report.field->added_length) : std::nullopt;
+  json["bad_faces"] = report.field ? std::make_optional(report.field->number_of_bad_faces) : std::nullopt;
   json["fixed_values"] = nullptr;
   if(report.fixed_values)
     json["fixed_values"] = {{"vertices", json_of(report.fixed_values->vertices)},
@@ -178,10 +167,8 @@ void write_text(std::ostream& out, const Field_range& range, const Work_report& 
 
 void write_json(std::ostream& out, const Field_range& range, const Work_report& report)
 {
-  nlohmann::ordered_json json;
-  json["values"] = range.number_of_values;
-  json["lowest"] = json_number(range.lowest);
-  json["highest"] = json_number(range.highest);
+  nlohmann::ordered_json json = {
+    {"values", range.number_of_values}, {"lowest", range.lowest}, {"highest", range.highest}};
   add_field_and_costs(json, report);
   write_line(out, json);
 }
@@ -195,8 +182,7 @@ void write_text(std::ostream& out, const Contours_report& report)
 
 void write_json(std::ostream& out, const Contours_report& report)
 {
-  nlohmann::ordered_json json;
-  json["contours"] = report.contours;
+  nlohmann::ordered_json json = {{"contours", report.contours}};
   add_field_and_costs(json, report);
   write_line(out, json);
 }
@@ -215,16 +201,18 @@ void write_text(std::ostream& out, const Curves_report& report)
 
 void write_json(std::ostream& out, const Curves_report& report)
 {
-  nlohmann::ordered_json json;
-  json["curves"] = report.curves;
-  json["patches"] = report.patches;
-  json["borders"] = report.border_changes.number_of_borders;
-  json["borders_made_level"] = report.border_changes.number_of_changed_borders;
-  json["vertices_changed"] = report.border_changes.number_of_changed_vertices;
-  json["largest_change"] = json_number(report.border_changes.largest_change);
-  json["ties_contracted"] = report.are_ties_contracted;
-  json["field"] = report.field_name.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(report.field_name);
-  json["levels"] = json["slivers"] = nullptr;
+  const CGAL::Reeb_graph::Border_level_changes& changes = report.border_changes;
+  nlohmann::ordered_json json = {
+    {"curves", report.curves},
+    {"patches", report.patches},
+    {"borders", changes.number_of_borders},
+    {"borders_made_level", changes.number_of_changed_borders},
+    {"vertices_changed", changes.number_of_changed_vertices},
+    {"largest_change", changes.largest_change},
+    {"ties_contracted", report.are_ties_contracted},
+    {"field", report.field_name.empty() ? std::nullopt : std::make_optional(report.field_name)},
+    {"slivers", nullptr},
+    {"levels", nullptr}};
   if(report.levels)
   {
     json["levels"] = report.levels->number_of_levels;
@@ -253,9 +241,7 @@ void write_place_text(std::ostream& out, const Loop_place& place)
 
 void add_place(nlohmann::ordered_json& json, const Loop_place& place)
 {
-  const auto point = [](const std::array<double, 3>& p) {
-    return nlohmann::ordered_json::array({json_number(p[0]), json_number(p[1]), json_number(p[2])});
-  };
+  const auto point = [](const std::array<double, 3>& p) { return nlohmann::ordered_json::array({p[0], p[1], p[2]}); };
   json["center"] = point(place.center);
   json["box"] = nlohmann::ordered_json::array({point(place.box[0]), point(place.box[1])});
   json["vertices"] = place.vertices;
@@ -335,15 +321,9 @@ void write_json(std::ostream& out, const Handles_report& report)
   json["loops"] = nlohmann::ordered_json::array();
   for(const Loop_row& row : report.loops)
   {
-    nlohmann::ordered_json loop;
-    loop["kind"] = row.kind;
-    loop["partner"] = row.partner ? nlohmann::ordered_json(*row.partner) : nlohmann::ordered_json();
-    loop["length"] = json_number(row.length);
-    loop["persistence"] = json_number(row.persistence);
-    loop["area"] = json_number(row.area);
-    loop["component"] = row.component;
-    loop["simple"] = row.is_simple;
-    loop["certain"] = row.is_certain;
+    nlohmann::ordered_json loop = {
+      {"kind", row.kind}, {"partner", row.partner},     {"length", row.length},    {"persistence", row.persistence},
+      {"area", row.area}, {"component", row.component}, {"simple", row.is_simple}, {"certain", row.is_certain}};
     add_place(loop, row.place);
     json["loops"].push_back(loop);
   }
@@ -352,12 +332,11 @@ void write_json(std::ostream& out, const Handles_report& report)
     json["removals"] = nlohmann::ordered_json::array();
     for(const Removal_row& row : *report.removals)
     {
-      nlohmann::ordered_json removal = {
-        {"kind", row.kind},
-        {"length", json_number(row.length)},
-        {"component", row.component},
-        {"result", row.is_removed ? "removed" : "refused"},
-        {"reason", row.is_removed ? nlohmann::ordered_json() : nlohmann::ordered_json(row.reason)}};
+      nlohmann::ordered_json removal = {{"kind", row.kind},
+                                        {"length", row.length},
+                                        {"component", row.component},
+                                        {"result", row.is_removed ? "removed" : "refused"},
+                                        {"reason", row.is_removed ? std::nullopt : std::make_optional(row.reason)}};
       add_place(removal, row.place);
       json["removals"].push_back(removal);
     }

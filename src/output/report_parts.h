@@ -13,11 +13,22 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
+
+// What may be missing is null, as numbers are that are not finite.
+template <class T>
+struct nlohmann::adl_serializer<std::optional<T>>
+{
+  template <class Json>
+  static void to_json(Json& json, const std::optional<T>& value)
+  {
+    json = value ? Json(*value) : Json();
+  }
+};
 
 // What reports have in common.
 namespace reeb_graph_program {
@@ -31,10 +42,10 @@ inline std::string count(std::size_t number, const std::string& singular)
   return count(number, singular, singular + "s");
 }
 
-// A number, or null, which also stands for infinity.
-inline nlohmann::ordered_json json_number(const std::optional<double>& number)
+// The first number of a list, if there is one.
+inline std::optional<std::size_t> first_of(const std::vector<std::size_t>& numbers)
 {
-  return number && std::isfinite(*number) ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
+  return numbers.empty() ? std::nullopt : std::make_optional(numbers.front());
 }
 
 // Writes the report and a line end. Names of files and fields may be no UTF-8, which JSON has to be.

@@ -68,11 +68,11 @@ void write_json(std::ostream& out, const Skeleton_report& report)
     json["arcs"].push_back({{"from", row.from},
                             {"to", row.to},
                             {"component", row.component},
-                            {"length", json_number(row.length)},
-                            {"radius", json_number(row.radius)},
-                            {"least_radius", json_number(row.least_radius)},
-                            {"greatest_radius", json_number(row.greatest_radius)},
-                            {"inscribed_radius", json_number(row.inscribed_radius)}});
+                            {"length", row.length},
+                            {"radius", row.radius},
+                            {"least_radius", row.least_radius},
+                            {"greatest_radius", row.greatest_radius},
+                            {"inscribed_radius", row.inscribed_radius}});
   add_field_and_costs(json, report);
   out << json.dump(2) << '\n';
 }
