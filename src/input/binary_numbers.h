@@ -32,16 +32,6 @@ Number decode(const char* bytes, bool is_reversed)
   return number;
 }
 
-// The same with the bytes of a number written: little-endian on any machine.
-template <class Number>
-char* encode(Number number, char* bytes)
-{
-  std::memcpy(bytes, &number, sizeof(Number));
-  if(boost::endian::order::native == boost::endian::order::big)
-    std::reverse(bytes, bytes + sizeof(Number));
-  return bytes + sizeof(Number);
-}
-
 inline bool is_machine_big_endian() { return boost::endian::order::native == boost::endian::order::big; }
 
 } // namespace reeb_graph_program

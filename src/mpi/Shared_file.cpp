@@ -11,21 +11,11 @@
 #include "input/input_error.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <stdexcept>
 
 namespace reeb_graph_program {
 namespace {
 constexpr std::size_t most_bytes_at_once = std::size_t(1) << 28;
-
-std::runtime_error write_error(const std::string& path, int error)
-{
-  std::array<char, MPI_MAX_ERROR_STRING> reason = {};
-  int size = 0;
-  MPI_Error_string(error, reason.data(), &size);
-  return std::runtime_error(path + ": the file cannot be written: " + reason.data());
-}
 
 int number_of_bytes_done(MPI_Status& status)
 {
@@ -36,15 +26,11 @@ int number_of_bytes_done(MPI_Status& status)
 
 } // namespace
 
-Shared_file::Shared_file(const std::string& path, Access access, const std::string& shown_path) : path_(shown_path)
+Shared_file::Shared_file(const std::string& path) : path_(path)
 {
-  const bool is_read = access == Access::READ;
-  if(is_read && !std::filesystem::is_regular_file(path))
+  if(!std::filesystem::is_regular_file(path)
+     || MPI_File_open(MPI_COMM_SELF, path.c_str(), MPI_MODE_RDONLY, MPI_INFO_NULL, &file_) != MPI_SUCCESS)
     throw Input_error(path_, "the file cannot be read");
-  const int mode = is_read ? MPI_MODE_RDONLY : MPI_MODE_WRONLY;
-  const int error = MPI_File_open(MPI_COMM_SELF, path.c_str(), mode, MPI_INFO_NULL, &file_);
-  if(error != MPI_SUCCESS)
-    throw is_read ? Input_error(path_, "the file cannot be read") : write_error(path_, error);
   MPI_Offset size = 0;
   MPI_File_get_size(file_, &size);
   size_ = static_cast<std::uint64_t>(size);
@@ -68,27 +54,6 @@ void Shared_file::read(std::uint64_t offset, char* bytes, std::size_t number_of_
       throw Input_error(path_, "the file cannot be read");
     begin += static_cast<std::size_t>(number);
   }
-}
-
-void Shared_file::write(std::uint64_t offset, const char* bytes, std::size_t number_of_bytes) const
-{
-  for(std::size_t begin = 0; begin < number_of_bytes;)
-  {
-    const int number = static_cast<int>(std::min(number_of_bytes - begin, most_bytes_at_once));
-    MPI_Status status;
-    const int error = MPI_File_write_at(file_, static_cast<MPI_Offset>(offset) + static_cast<MPI_Offset>(begin),
-                                        bytes + begin, number, MPI_BYTE, &status);
-    if(error != MPI_SUCCESS || number_of_bytes_done(status) != number)
-      throw write_error(path_, error == MPI_SUCCESS ? MPI_ERR_IO : error);
-    begin += static_cast<std::size_t>(number);
-  }
-}
-
-void Shared_file::close()
-{
-  const int error = MPI_File_close(&file_);
-  if(error != MPI_SUCCESS)
-    throw write_error(path_, error);
 }
 
 } // namespace reeb_graph_program

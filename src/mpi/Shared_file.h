@@ -16,21 +16,13 @@
 #include <string>
 
 namespace reeb_graph_program {
-// A file of which each rank reads or writes parts of its own by MPI-IO. Opening and closing it is no collective work: a
+// A file of which each rank reads parts of its own by MPI-IO. Opening and closing it is no collective work: a
 // rank that fails leaves no other one waiting.
 class Shared_file
 {
 public:
-  enum class Access
-  {
-    READ,
-    WRITE // of a file that is there
-  };
-
-  // Throws Input_error, or std::runtime_error where it is to be written.
-  Shared_file(const std::string& path, Access access) : Shared_file(path, access, path) {}
-  // The same with another name in messages.
-  Shared_file(const std::string& path, Access access, const std::string& shown_path);
+  // Throws Input_error.
+  explicit Shared_file(const std::string& path);
   Shared_file(const Shared_file&) = delete;
   Shared_file& operator=(const Shared_file&) = delete;
   ~Shared_file();
@@ -39,10 +31,6 @@ public:
 
   // The bytes have to be in the file.
   void read(std::uint64_t offset, char* bytes, std::size_t number_of_bytes) const;
-  void write(std::uint64_t offset, const char* bytes, std::size_t number_of_bytes) const;
-
-  // Says whether what was written is there.
-  void close();
 
 private:
   std::string path_;

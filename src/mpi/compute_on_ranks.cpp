@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "mpi/compute_on_ranks.h"
 #include "base/peak_memory.h"
 #include "base/progress_bar.h"
 #include "computation/Report_visitor.h"
@@ -13,7 +14,6 @@
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "mpi/Rank_visitor.h"
-#include "mpi/commands_on_ranks.h"
 #include "mpi/local_input.h"
 #include "output/diagram_output.h"
 #include "output/graph_output.h"
@@ -97,11 +97,8 @@ bool is_graph_in_space(const Compute_options& options)
   return !options.graph_path.empty() && is_format_in_space(options.graph_path);
 }
 
-void check(const Compute_on_ranks_options& all_options)
+void check_on_ranks(const Compute_options& options)
 {
-  const Compute_options& options = all_options.compute;
-  if(options.input.mesh_path.empty() == all_options.generation.surface.empty())
-    throw std::runtime_error("either MESH or --generate is needed");
   if(is_standard_input(options.input.mesh_path) || is_standard_input(options.input.scalars_path))
     refuse("standard input", "each rank reads its part of a file");
   check_left_out(options);
@@ -299,16 +296,13 @@ void serialize(Archive& archive, Rank_report& rank, unsigned)
   archive& rank.vertices& rank.triangles& rank.copies& rank.bytes_sent& rank.peak_memory_bytes& rank.cpu_seconds;
 }
 
-void run_compute_on_ranks(const Communicator& communicator, const Compute_on_ranks_options& all_options)
+void run_compute_on_ranks(const Communicator& communicator, const Compute_options& options)
 {
-  check(all_options);
-  const Compute_options& options = all_options.compute;
+  check_on_ranks(options);
   Report report;
   Rank_report rank;
   Step read("read", report, rank);
-  const Local_mesh mesh = all_options.generation.surface.empty()
-                          ? read_local_mesh(communicator, options.input)
-                          : make_local_mesh(communicator, all_options.generation, options.input);
+  const Local_mesh mesh = read_local_mesh(communicator, options.input);
   if(is_graph_in_space(options) && !mesh.point)
     refuse(options.graph_path, "a raw file has no points");
   const double threshold = threshold_in_units(options.simplification, [&] { return find_range(communicator, mesh); });

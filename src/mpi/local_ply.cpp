@@ -242,7 +242,7 @@ void check_end(const Shared_file& file, const Ply_layout& layout)
 Local_mesh read_local_ply(const Communicator& communicator, const std::string& path, const Ply_field& field)
 {
   std::shared_ptr<const Shared_file> file;
-  run_together(communicator, [&] { file = std::make_shared<Shared_file>(path, Shared_file::Access::READ); });
+  run_together(communicator, [&] { file = std::make_shared<Shared_file>(path); });
   const std::string begin = read_begin(communicator, *file);
   const Ply_layout layout(path, begin, file->size());
   const Vertex_columns columns(layout, field.property);

@@ -11,14 +11,37 @@
 #include "mpi/Records.h"
 #include "mpi/check_triangles.h"
 #include "mpi/local_files.h"
-#include "mpi/raw_format.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
 namespace reeb_graph_program {
 namespace {
+// What raw files begin with.
+constexpr std::string_view raw_magic = "ReebRaw1";
+
+// Where the parts of a raw file are, which local_files.h describes.
+class Raw_layout
+{
+public:
+  static constexpr std::size_t size_of_header = 24;
+
+  Raw_layout(std::uint64_t number_of_vertices, std::uint64_t number_of_triangles)
+    : scalars_{size_of_header, number_of_vertices, sizeof(double)},
+      triangles_{size_of_header + number_of_vertices * sizeof(double), number_of_triangles, 3 * sizeof(std::uint64_t)}
+  {}
+
+  const Records& scalars() const { return scalars_; }
+  const Records& triangles() const { return triangles_; }
+  std::uint64_t size() const { return triangles_.offset + triangles_.number * triangles_.size; }
+
+private:
+  Records scalars_, triangles_;
+};
+
 Raw_layout read_layout(const std::string& path, const Shared_file& file)
 {
   std::array<char, Raw_layout::size_of_header> header = {};
@@ -71,7 +94,7 @@ Local_mesh read_local_raw(const Communicator& communicator, const std::string& p
 {
   Local_mesh mesh;
   run_together(communicator, [&] {
-    const Shared_file file(path, Shared_file::Access::READ);
+    const Shared_file file(path);
     const Raw_layout layout = read_layout(path, file);
     mesh.number_of_vertices = layout.scalars().number;
     mesh.number_of_triangles = layout.triangles().number;

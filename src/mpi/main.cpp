@@ -8,7 +8,7 @@
 
 #include "base/message_of.h"
 #include "commands/command_line.h"
-#include "mpi/commands_on_ranks.h"
+#include "mpi/compute_on_ranks.h"
 #include "mpi/ranks.h"
 #include "output/output_file.h"
 
@@ -29,48 +29,20 @@
 
 namespace {
 using reeb_graph_program::add_example;
-using reeb_graph_program::add_file;
 using reeb_graph_program::add_list_of_fields;
-using reeb_graph_program::add_whole_number;
 using reeb_graph_program::Communicator;
-using reeb_graph_program::Compute_on_ranks_options;
+using reeb_graph_program::Compute_options;
 using reeb_graph_program::coordinate_fields;
 using reeb_graph_program::fields_of_files;
-using reeb_graph_program::Generate_options;
-using reeb_graph_program::Generation_options;
 using reeb_graph_program::height_field;
 
-void add_generation_options(CLI::App& command, Generation_options& options)
+void add_compute_on_ranks_command(CLI::App& app, Compute_options& options)
 {
-  add_whole_number(command, "--triangles", options.number_of_triangles,
-                   "For a surface that is generated: about how many triangles it has")
-    ->default_str(std::to_string(options.number_of_triangles));
-}
-
-void add_compute_on_ranks_command(CLI::App& app, Compute_on_ranks_options& options)
-{
-  CLI::App* command = add_compute_command(app, options.compute);
+  CLI::App* command = add_compute_command(app, options);
   command->description("Compute the Reeb graph of a scalar field on a surface that the ranks share");
-  command->get_option("MESH")->required(false)->description("Mesh: a binary PLY file of triangles, or a raw file");
-  add_file(*command, "--generate", options.generation.surface,
-           "Instead of MESH: a closed surface that the ranks make, genus-0, genus-1, ..., with the field x, "
-           "y, z, height, smooth, or noise");
-  add_generation_options(*command, options.generation);
+  command->get_option("MESH")->description("Mesh: a binary PLY file of triangles, or a raw file");
   add_list_of_fields(*command, "--field", coordinate_fields + height_field + fields_of_files);
   add_example(*command, "mpirun -n 4 reeb_graph_mpi compute scan.ply --field z --simplify auto --graph graph.graphml");
-}
-
-void add_generate_command(CLI::App& app, Generate_options& options)
-{
-  CLI::App* command =
-    app.add_subcommand("generate", "Write a closed surface with a field, of which each rank makes a part");
-  add_file(*command, "FILE", options.path, "The file: a binary .ply, or a .raw, with the values of the field")
-    ->required();
-  options.generation.surface = "genus-3";
-  options.input.field = "smooth";
-  command->add_option("--surface", options.generation.surface, "genus-0, genus-1, ...")->capture_default_str();
-  command->add_option("--field", options.input.field, "x, y, z, height, smooth, or noise")->capture_default_str();
-  add_generation_options(*command, options.generation);
 }
 
 // Waits for the other ranks. Returns whether all of them have come: if one has failed alone, the others still wait for
@@ -121,18 +93,12 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   app.formatter(std::make_shared<reeb_graph_program::Help_formatter>());
   app.require_subcommand(1);
   app.set_version_flag("--version", "reeb_graph_mpi " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
-  Compute_on_ranks_options compute_options;
-  Generate_options generate_options;
-  add_compute_on_ranks_command(app, compute_options);
-  add_generate_command(app, generate_options);
+  Compute_options options;
+  add_compute_on_ranks_command(app, options);
   try
   {
-    if(is_help_printed(app, argc, argv, communicator))
-      return EXIT_SUCCESS;
-    if(app.got_subcommand("compute"))
-      run_compute_on_ranks(communicator, compute_options);
-    else
-      run_generate(communicator, generate_options);
+    if(!is_help_printed(app, argc, argv, communicator))
+      run_compute_on_ranks(communicator, options);
     return EXIT_SUCCESS;
   }
   catch(const CLI::ParseError& error)
