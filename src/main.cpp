@@ -29,43 +29,8 @@
 #include <string>
 #include <vector>
 
+namespace reeb_graph_program {
 namespace {
-using reeb_graph_program::add_compute_command;
-using reeb_graph_program::add_example;
-using reeb_graph_program::add_field_option;
-using reeb_graph_program::add_file;
-using reeb_graph_program::add_graph_file;
-using reeb_graph_program::add_graph_options;
-using reeb_graph_program::add_input_options;
-using reeb_graph_program::add_json_option;
-using reeb_graph_program::add_list_of_fields;
-using reeb_graph_program::add_mesh_file;
-using reeb_graph_program::add_output_files;
-using reeb_graph_program::add_page_options;
-using reeb_graph_program::add_real_number;
-using reeb_graph_program::add_simplification_options;
-using reeb_graph_program::add_threads_option;
-using reeb_graph_program::add_ties_option;
-using reeb_graph_program::add_whole_number;
-using reeb_graph_program::begin_group;
-using reeb_graph_program::Compute_options;
-using reeb_graph_program::computed_fields;
-using reeb_graph_program::Contour_choice;
-using reeb_graph_program::Contour_options;
-using reeb_graph_program::Curves_options;
-using reeb_graph_program::Curves_type;
-using reeb_graph_program::Demo_options;
-using reeb_graph_program::describe;
-using reeb_graph_program::Field_options;
-using reeb_graph_program::Handles_options;
-using reeb_graph_program::parse_real_number;
-using reeb_graph_program::parse_size;
-using reeb_graph_program::Point;
-using reeb_graph_program::Repair_command_options;
-using reeb_graph_program::run_with_threads;
-using reeb_graph_program::Skeleton_command_options;
-using reeb_graph_program::write_completion;
-
 void add_contour_command(CLI::App& app, Contour_options& options)
 {
   CLI::App* command = app.add_subcommand("contour", "Write contours, the components of the level sets, as polylines");
@@ -79,16 +44,7 @@ void add_contour_command(CLI::App& app, Contour_options& options)
                   "The contour at this place of each arc, greater than 0 (low) and less than 1 (high)");
   add_whole_number(*command, "--arc", choice.arc,
                    "With --t: only the contour of this arc, by its number in files of the graph, from 0");
-  const auto add_levels = [&choice](const std::vector<std::string>& texts) {
-    for(const std::string& text : texts)
-      choice.levels.push_back(parse_real_number("--level", text));
-  };
-  command
-    ->add_option_function<std::vector<std::string>>("--level", add_levels,
-                                                    "The contours just above this value; can "
-                                                    "be given several times")
-    ->type_name("FLOAT")
-    ->allow_extra_args(false);
+  add_values(*command, "--level", choice.levels, "The contours just above this value; can be given several times");
   add_whole_number(*command, "--levels", choice.number_of_levels,
                    "The contours at this many values, which cut the range of the field into equal steps", {1});
   const auto set_point = [&choice](const std::vector<std::string>& texts) {
@@ -115,19 +71,10 @@ void add_contour_command(CLI::App& app, Contour_options& options)
     [&options] { run_with_threads(options.choice.graph.number_of_threads, [&options] { run_contour(options); }); });
 }
 
-void add_level_options(CLI::App& command, reeb_graph_program::Level_choice& levels)
+void add_level_options(CLI::App& command, Level_choice& levels)
 {
-  const auto add_levels = [&levels](const std::vector<std::string>& texts) {
-    for(const std::string& text : texts)
-      levels.values.push_back(parse_real_number("--level", text));
-  };
-  command
-    .add_option_function<std::vector<std::string>>(
-      "--level", add_levels,
-      "For levels: cut where the field has this value; can be given several "
-      "times")
-    ->type_name("FLOAT")
-    ->allow_extra_args(false);
+  add_values(command, "--level", levels.values,
+             "For levels: cut where the field has this value; can be given several times");
   add_whole_number(command, "--levels", levels.number,
                    "For levels: so many values, which cut the range of the field into equal steps", {1});
   add_real_number(command, "--spacing", levels.spacing,
@@ -147,30 +94,23 @@ void add_curves_command(CLI::App& app, Curves_options& options)
   add_threads_option(*command, options.graph.number_of_threads);
   add_simplification_options(*command, options.simplification);
   begin_group(*command, "Curves");
-  const auto set_type = [&options](const std::string& name) {
-    options.cut.type = name == "cutting-system" ? Curves_type::CUTTING_SYSTEM
-                     : name == "pants"          ? Curves_type::PANTS
-                     : name == "branch"         ? Curves_type::BRANCH
-                     : name == "levels"         ? Curves_type::LEVELS
-                                                : Curves_type::DISKS;
-  };
-  command
-    ->add_option_function<std::string>("--type", set_type,
-                                       "Which curves: cutting-system, pants, branch, levels, or disks")
-    ->check(CLI::IsMember({"cutting-system", "pants", "branch", "levels", "disks"}))
+  add_choice(*command, "--type", options.cut.type,
+             Choices<Curves_type>{{"cutting-system", Curves_type::CUTTING_SYSTEM},
+                                  {"pants", Curves_type::PANTS},
+                                  {"branch", Curves_type::BRANCH},
+                                  {"levels", Curves_type::LEVELS},
+                                  {"disks", Curves_type::DISKS}},
+             "Which curves: cutting-system, pants, branch, levels, or disks")
     ->required();
   add_level_options(*command, options.cut.levels);
   add_real_number(*command, "--persistence", options.cut.persistence,
                   "For branch: leave out branches that are less persistent than this");
   add_real_number(*command, "--area", options.cut.area, "For branch: leave out branches of less area than this");
-  const auto set_borders = [&options](const std::string& name) {
-    options.cut.borders = name == "level" ? CGAL::Reeb_graph::Borders::LEVEL : CGAL::Reeb_graph::Borders::MAKE_LEVEL;
-  };
-  command
-    ->add_option_function<std::string>("--borders", set_borders,
-                                       "Change the field next to borders, so that each is a level and an extremum "
-                                       "(make-level, the default), or refuse a field where one is not (level)")
-    ->check(CLI::IsMember({"make-level", "level"}));
+  using CGAL::Reeb_graph::Borders;
+  add_choice(*command, "--borders", options.cut.borders,
+             Choices<Borders>{{"make-level", Borders::MAKE_LEVEL}, {"level", Borders::LEVEL}},
+             "Change the field next to borders, so that each is a level and an extremum "
+             "(make-level, the default), or refuse a field where one is not (level)");
   command->add_flag("--cut-open", options.cut.is_cut_open, "Cut the mesh open along the curves");
   command->add_flag("--large", options.is_large_accepted,
                     "Cut even if the cut mesh has more than 50 times as many triangles, as for noise on many handles; "
@@ -314,7 +254,7 @@ void add_demo_command(CLI::App& app, Demo_options& options)
 }
 
 // Runs the command, or prints the help that is asked for.
-void run(CLI::App& app, int argc, char** argv)
+void run_command(CLI::App& app, int argc, char** argv)
 {
   try
   {
@@ -324,7 +264,7 @@ void run(CLI::App& app, int argc, char** argv)
   {
     app.exit(request_for_help);
   }
-  reeb_graph_program::flush_standard_output();
+  flush_standard_output();
 }
 
 int report_error(const std::string& message)
@@ -333,13 +273,10 @@ int report_error(const std::string& message)
   return EXIT_FAILURE;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
-  std::signal(SIGXFSZ, SIG_IGN); // A file that may not grow is an error, as a full disk is.
   CLI::App app("Exact Reeb graphs of scalar fields on triangle meshes", "reeb_graph");
-  app.formatter(std::make_shared<reeb_graph_program::Help_formatter>());
+  app.formatter(std::make_shared<Help_formatter>());
   app.require_subcommand(1);
   app.set_version_flag("--version", "reeb_graph " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
   Compute_options compute_options;
@@ -375,7 +312,7 @@ int main(int argc, char** argv)
   add_example(app, "reeb_graph compute scan.ply --field z --html page.html");
   try
   {
-    run(app, argc, argv);
+    run_command(app, argc, argv);
     return EXIT_SUCCESS;
   }
   catch(const CLI::ParseError& error)
@@ -384,6 +321,15 @@ int main(int argc, char** argv)
   }
   catch(const std::exception& error)
   {
-    return report_error(reeb_graph_program::message_of(error));
+    return report_error(message_of(error));
   }
+}
+
+} // namespace
+} // namespace reeb_graph_program
+
+int main(int argc, char** argv)
+{
+  std::signal(SIGXFSZ, SIG_IGN); // A file that may not grow is an error, as a full disk is.
+  return reeb_graph_program::run(argc, argv);
 }

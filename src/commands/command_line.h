@@ -117,11 +117,8 @@ inline void add_json_option(CLI::App& command, bool& is_report_json)
 inline void add_ties_option(CLI::App& command, Graph_options& options, const std::string& description)
 {
   using CGAL::Reeb_graph::Ties;
-  const auto set_ties = [&options](const std::string& name) {
-    options.ties = name == "contract" ? Ties::CONTRACT : Ties::PERTURB;
-  };
-  command.add_option_function<std::string>("--ties", set_ties, description)
-    ->check(CLI::IsMember({"perturb", "contract"}));
+  add_choice(command, "--ties", options.ties, Choices<Ties>{{"perturb", Ties::PERTURB}, {"contract", Ties::CONTRACT}},
+             description);
 }
 
 inline void add_graph_options(CLI::App& command, Graph_options& options)
@@ -133,16 +130,11 @@ inline void add_graph_options(CLI::App& command, Graph_options& options)
   add_ties_option(command, options,
                   "Order vertices of equal value by their numbers (perturb, the default), or contract arcs of length "
                   "zero (contract)");
-  const auto set_method = [&options](const std::string& name) {
-    options.method = name == "critical-sets" ? Method::CRITICAL_SETS
-                   : name == "contour-trees" ? Method::CONTOUR_TREES
-                                             : Method::AUTOMATIC;
-  };
-  command
-    .add_option_function<std::string>("--method", set_method,
-                                      "The method that finds the arcs: auto (the default), critical-sets, or "
-                                      "contour-trees; the graph is the same")
-    ->check(CLI::IsMember({"auto", "critical-sets", "contour-trees"}));
+  add_choice(
+    command, "--method", options.method,
+    Choices<Method>{
+      {"auto", Method::AUTOMATIC}, {"critical-sets", Method::CRITICAL_SETS}, {"contour-trees", Method::CONTOUR_TREES}},
+    "The method that finds the arcs: auto (the default), critical-sets, or contour-trees; the graph is the same");
   add_threads_option(command, options.number_of_threads);
   add_whole_number(command, "--slabs", options.number_of_slabs,
                    "Cut the surface at level sets into this many slabs, which threads share; the graph is the same",
@@ -179,19 +171,16 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
   add_simplification_options(*command, options.simplification);
   begin_group(*command, "Output");
   add_graph_file(*command, options.graph_path);
-  const auto set_embedding = [&options](const std::string& name) {
-    options.embedding_manner = name == "on-surface" ? CGAL::Reeb_graph::Embedding_manner::ON_SURFACE
-                             : name == "straight"   ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
-                                                    : CGAL::Reeb_graph::Embedding_manner::CENTROIDS;
-  };
-  command
-    ->add_option_function<std::string>(
-      "--embedding", set_embedding,
-      "The way of arcs in space: through centroids of contours (centroids), along chains (on-surface), or straight "
-      "from vertex to vertex (straight). The default is centroids, but straight for .csv, where contours are very "
-      "long, "
-      "and if the mesh is not an oriented manifold surface")
-    ->check(CLI::IsMember({"centroids", "on-surface", "straight"}));
+  using CGAL::Reeb_graph::Embedding_manner;
+  add_choice(
+    *command, "--embedding", options.embedding_manner,
+    Choices<Embedding_manner>{{"centroids", Embedding_manner::CENTROIDS},
+                              {"on-surface", Embedding_manner::ON_SURFACE},
+                              {"straight", Embedding_manner::STRAIGHT}},
+    "The way of arcs in space: through centroids of contours (centroids), along chains (on-surface), or straight "
+    "from vertex to vertex (straight). The default is centroids, but straight for .csv, where contours are very "
+    "long, "
+    "and if the mesh is not an oriented manifold surface");
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the mesh to this file, .ply or .vtp, with the value, the arc, and the node of each vertex, "
            "and colors; .off has the colors alone, .obj and .stl have none");

@@ -199,15 +199,6 @@ Loops_of_surface write_longest_loop(const Compute_options& options, Mesh_graph& 
   return loops;
 }
 
-void write_report(const Compute_options& options, const Report& report)
-{
-  std::ostream& stream = report_stream(output_files(options));
-  if(options.is_report_json)
-    write_json(stream, report);
-  else
-    write_text(stream, report);
-}
-
 } // namespace
 
 void check(const Compute_options& options)
@@ -303,7 +294,7 @@ void run_compute(const Compute_options& options)
   const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, options.simplification,
                                         threshold_in_units(options.simplification, mesh.surface, scalar_map), report);
   write_results(options, mesh, scalar_map, *graph, report);
-  write_report(options, report);
+  write_report(options.is_report_json, output_files(options), report);
 }
 
 } // namespace reeb_graph_program

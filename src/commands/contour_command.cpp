@@ -78,11 +78,7 @@ void run_contour(const Contour_options& options)
   files.put_in_place();
   note_empty_levels(choice.levels, contours, report);
   report.contours = contours.size();
-  std::ostream& stream = report_stream(outputs);
-  if(options.is_report_json)
-    write_json(stream, report);
-  else
-    write_text(stream, report);
+  write_report(options.is_report_json, outputs, report);
 }
 
 } // namespace reeb_graph_program

@@ -355,10 +355,7 @@ void run_curves(Curves_options options)
   report.border_changes = result.border_changes;
   report.levels = result.level_report;
   write_border_changes(std::cerr, report.border_changes);
-  if(options.is_report_json)
-    write_json(report_stream(outputs), report);
-  else
-    write_text(report_stream(outputs), report);
+  write_report(options.is_report_json, outputs, report);
 }
 
 } // namespace reeb_graph_program

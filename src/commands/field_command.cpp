@@ -35,11 +35,7 @@ void run_field(const Field_options& options)
   files.put_in_place();
   report.add_seconds("output", stopwatch.seconds());
   const Field_range range(scalar_map.begin(), scalar_map.end());
-  std::ostream& stream = report_stream(outputs);
-  if(options.is_report_json)
-    write_json(stream, range, report);
-  else
-    write_text(stream, range, report);
+  write_report(options.is_report_json, outputs, range, report);
 }
 
 } // namespace reeb_graph_program

@@ -131,10 +131,7 @@ void run_handles(const Handles_options& options)
   note_lost_unit(options.unit, !options.page_path.empty(), report.notes);
   if(!options.output_paths.empty() || !options.loops_path.empty() || !options.page_path.empty())
     report.add_seconds("output", output_stopwatch.seconds());
-  if(options.is_report_json)
-    write_json(report_stream(outputs), report);
-  else
-    write_text(report_stream(outputs), report);
+  write_report(options.is_report_json, outputs, report);
 }
 
 } // namespace reeb_graph_program

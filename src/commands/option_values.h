@@ -21,6 +21,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 // Options whose values are numbers, read as those in files. CLI11 by itself wraps what is negative or too large around,
@@ -98,6 +99,43 @@ CLI::Option* add_numbers(CLI::App& command,
       variable.push_back(parse(name, text));
   };
   return command.add_option_function<std::vector<std::string>>(name, set, description)->delimiter(',');
+}
+
+// Names, each of which stands for a value, and an option that takes one of them.
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+template <class Variable, class Value>
+CLI::Option* add_choice(CLI::App& command,
+                        const std::string& name,
+                        Variable& variable,
+                        const Choices<Value>& choices,
+                        const std::string& description)
+{
+  std::vector<std::string> names;
+  for(const auto& choice : choices)
+    names.push_back(choice.first);
+  const auto set = [&variable, choices](const std::string& chosen) {
+    for(const auto& [name_of_value, value] : choices)
+      if(name_of_value == chosen)
+        variable = value;
+  };
+  return command.add_option_function<std::string>(name, set, description)->check(CLI::IsMember(names));
+}
+
+// A number that can be given several times.
+inline void add_values(CLI::App& command,
+                       const std::string& name,
+                       std::vector<double>& values,
+                       const std::string& description)
+{
+  const auto add = [&values, name](const std::vector<std::string>& texts) {
+    for(const std::string& text : texts)
+      values.push_back(parse_real_number(name, text));
+  };
+  command.add_option_function<std::vector<std::string>>(name, add, description)
+    ->type_name("FLOAT")
+    ->allow_extra_args(false);
 }
 
 // Names of files, and of fields, of which an empty one is a mistake, such as a variable of a script that is not set.

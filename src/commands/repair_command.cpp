@@ -129,10 +129,7 @@ void run_repair(const Repair_command_options& options)
     write_integers(options.map_path, map_of(result.new_vertices));
   files.put_in_place();
   report.add_seconds("output", output_stopwatch.seconds());
-  if(options.is_report_json)
-    write_json(report_stream(outputs), report);
-  else
-    write_text(report_stream(outputs), report);
+  write_report(options.is_report_json, outputs, report);
 }
 
 } // namespace reeb_graph_program

@@ -12,6 +12,7 @@
 #include "input/field_input.h"
 #include "output/graph_output.h"
 #include "output/output_file.h"
+#include "output/report_output.h"
 #include "output/report_parts.h"
 #include "output/skeleton_output.h"
 #include "page/page_output.h"
@@ -84,10 +85,7 @@ void run_skeleton(const Skeleton_command_options& options)
   note_lost_unit(options.unit, !options.page_path.empty(), report.notes);
   if(!options.output_paths.empty() || !options.page_path.empty())
     report.add_seconds("output", output_stopwatch.seconds());
-  if(options.is_report_json)
-    write_json(report_stream(outputs), report);
-  else
-    write_text(report_stream(outputs), report);
+  write_report(options.is_report_json, outputs, report);
 }
 
 } // namespace reeb_graph_program

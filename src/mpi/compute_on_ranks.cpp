@@ -318,11 +318,7 @@ void run_compute_on_ranks(const Communicator& communicator, const Compute_option
   rank.cpu_seconds.emplace_back("output", cpu_seconds_of_process() - cpu_seconds);
   report.ranks = gather(communicator, slab, rank);
   run_on_rank_0(communicator, [&] {
-    std::ostream& stream = report_stream(output_files(options));
-    if(options.is_report_json)
-      write_json(stream, report);
-    else
-      write_text(stream, report);
+    write_report(options.is_report_json, output_files(options), report);
     flush_standard_output();
   });
 }

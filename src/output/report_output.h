@@ -10,12 +10,15 @@
 #define CGAL_REEB_GRAPH_SRC_REPORT_OUTPUT_H
 
 #include "base/report.h"
+#include "output/output_file.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <ostream>
+#include <vector>
 
 namespace reeb_graph_program {
 // The number of values of a field, and where they lie.
@@ -59,6 +62,17 @@ void write_json(std::ostream& out, const Handles_report& report);
 // The report of a field alone.
 void write_text(std::ostream& out, const Field_range& range, const Work_report& report);
 void write_json(std::ostream& out, const Field_range& range, const Work_report& report);
+
+// Writes the report to standard output, or to standard error if a file is written there.
+template <class... Report_parts>
+void write_report(bool is_json, const std::vector<std::filesystem::path>& outputs, const Report_parts&... parts)
+{
+  std::ostream& stream = report_stream(outputs);
+  if(is_json)
+    write_json(stream, parts...);
+  else
+    write_text(stream, parts...);
+}
 
 // What is said of the mesh by all commands, as far as it applies: lines of faces of the file that are left out, of isolated
 // points, and of those that repair merges, and notes.
