@@ -14,6 +14,7 @@
 #include <chrono>
 #include <iostream>
 #include <mutex>
+#include <system_error>
 
 namespace reeb_graph_program {
 namespace {
@@ -59,8 +60,17 @@ Progress_bar::Progress_bar(const std::string& name_of_work, std::ostream* termin
     outer_->is_covered_ = true;
     outer_->remove_line();
   }
-  if(terminal_ != nullptr && seconds_until_shown_ > 0)
+  if(terminal_ == nullptr || seconds_until_shown_ <= 0)
+    return;
+  try
+  {
     timer_ = std::thread([this] { wait_and_show(); });
+  }
+  catch(const std::system_error&) // where there are no threads, what takes long is not known before
+  {
+    seconds_until_shown_ = 0;
+    show();
+  }
 }
 
 Progress_bar::~Progress_bar()
