@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
 #include <CGAL/Reeb_graph/handles/remove_handles.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/compute_reeb_graph.h>
 
@@ -63,7 +64,7 @@ double size_in_units(const std::optional<Threshold>& size, const Surface& surfac
       }
     extents[static_cast<std::size_t>(k)] = (std::max)(high - low, 0.);
   }
-  return size->number / 100 * std::hypot(extents[0], extents[1], extents[2]);
+  return size->number / 100 * CGAL::Reeb_graph::internal::length_of(extents[0], extents[1], extents[2]);
 }
 
 void write_coordinate(const Surface& surface, Scalar_map scalar_map, int coordinate)
@@ -82,7 +83,7 @@ Loop_place place_of(const Polyline& polyline)
   for(std::size_t i = 0; i != polyline.size(); ++i)
   {
     const Point &p = polyline[i], &q = polyline[i == 0 ? 0 : i - 1];
-    const double length = std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
+    const double length = CGAL::Reeb_graph::internal::length_of(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
     weight += length;
     for(int k = 0; k != 3; ++k)
     {

@@ -10,6 +10,7 @@
 
 #include "base/progress_bar.h"
 
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace {
 double distance(const Skeleton& skeleton, std::size_t a, std::size_t b)
 {
   const Point &p = skeleton.points[a], &q = skeleton.points[b];
-  return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
+  return CGAL::Reeb_graph::internal::length_of(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
 }
 
 Skeleton_arc_row row_of(const Skeleton& skeleton, const std::vector<std::size_t>& arc, std::size_t component)

@@ -105,7 +105,7 @@ def run_natively(command, files):
 
 
 def without_times(output):
-    return re.sub(r"^(seconds|memory|threads) .*\n", "", output, flags=re.M)
+    return re.sub(r"^((seconds|memory|threads) .*|\w+ +[0-9.]+ s)\n", "", output, flags=re.M)
 
 
 def assert_same_neurons(name, ours, others):

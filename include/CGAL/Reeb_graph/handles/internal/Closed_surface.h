@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/space/Closed_triangles.h>
@@ -87,7 +88,7 @@ struct Closed_surface : Closed_triangles
     for(Index h = 0; h != next.size(); h += 2)
     {
       const Point p = way(source(h), target[h]);
-      lengths.push_back(std::hypot(p[0], p[1], p[2]));
+      lengths.push_back(length_of(p[0], p[1], p[2]));
     }
   }
 

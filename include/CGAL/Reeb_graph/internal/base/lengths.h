@@ -23,6 +23,18 @@ namespace CGAL::Reeb_graph::internal {
 // Whether a square has lost nothing by its size.
 inline bool is_square_in_range(double square) { return square > 1e-290 && square < 1e300; }
 
+// std::hypot(), whose last bit differs between standard libraries: that decides among loops that are equally short.
+inline double length_of(double x, double y, double z)
+{
+  const double largest = (std::max)({std::abs(x), std::abs(y), std::abs(z)});
+  if(!(largest > 0) || std::isinf(largest))
+    return largest;
+  x /= largest;
+  y /= largest;
+  z /= largest;
+  return largest * std::sqrt(x * x + y * y + z * z);
+}
+
 template <class Vector>
 double length_of(const Vector& v)
 {
@@ -61,7 +73,7 @@ double area_of(const Point& p, const Point& q, const Point& r)
                                  CGAL::to_double(w.z()) / length};
   };
   const std::array<double, 3> a = unit(u, u_length), b = unit(v, v_length);
-  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]) / 2 * u_length
+  return length_of(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]) / 2 * u_length
        * v_length;
 }
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 
@@ -52,13 +53,13 @@ inline Coordinates mix(double t, const Coordinates& a, const Coordinates& b)
 
 inline double distance(const Coordinates& a, const Coordinates& b)
 {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return length_of(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 inline double area(const Coordinates& a, const Coordinates& b, const Coordinates& c)
 {
   const Coordinates u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+  return 0.5 * length_of(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
 }
 
 // The centroid of curves, or of triangles: the mean of their points, each piece with the weight of its length or area,

@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/Embedding.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
@@ -164,7 +165,7 @@ inline double width_of_lines(const std::vector<Contours_of_arc>& contours)
   for(const Contours_of_arc& arc : contours)
     for(const auto& [x, y, z] : arc.contour_points)
       box += Bbox_3(x, y, z, x, y, z);
-  return box.xmin() <= box.xmax() ? part_of_picture * std::hypot(box.x_span(), box.y_span(), box.z_span()) : 0;
+  return box.xmin() <= box.xmax() ? part_of_picture * length_of(box.x_span(), box.y_span(), box.z_span()) : 0;
 }
 
 // Whether the two sides of a loop look like one line, as those of a round tube inside of another one.
