@@ -162,6 +162,7 @@ void add_handles_command(CLI::App& app, Handles_options& options)
   CLI::App* command = app.add_subcommand("handles", "Find handles and tunnels, each by a short loop around it");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input, "; by default the coordinate x, y, or z that is least noisy");
+  add_strict_option(*command, options.input);
   begin_group(*command, "Removal");
   command->add_option_function<std::string>(
     "--remove-below", [&options](const std::string& text) { options.size_to_remove = parse_size(text); },
@@ -187,24 +188,38 @@ void add_handles_command(CLI::App& app, Handles_options& options)
 
 void add_repair_command(CLI::App& app, Repair_command_options& options)
 {
-  CLI::App* command = app.add_subcommand("repair", "Merge points of a mesh, orient, and split it");
+  CLI::App* command = app.add_subcommand("repair", "Make an oriented manifold surface of what a mesh is");
   begin_group(*command, "Input");
   add_mesh_file(*command, options.mesh_path, options.are_faces_triangulated);
-  begin_group(*command, "Repair");
-  CLI::Option* merge =
-    command->add_flag("--merge", options.repair.are_coinciding_points_merged,
-                      "Merge points of border edges that coincide, as MeshLab's Merge Close Vertices with 0, trimesh's "
-                      "merge_vertices, and ParaView's Clean do");
-  add_real_number(*command, "--merge-within", options.repair.distance,
+  begin_group(*command, "Repair, in this order");
+  Repair_options& repair = options.repair;
+  CLI::Option* merge = command->add_flag("--merge", repair.are_coinciding_points_merged,
+                                         "Merge points that coincide, unless an edge would get more than two faces, or "
+                                         "a point several fans of faces");
+  add_real_number(*command, "--merge-within", repair.distance,
                   "Merge points of border edges that are at most so far from each other, in units of length, as "
                   "MeshLab's Merge Close Vertices and admesh's --tolerance do: each joins the nearest one before it in "
                   "the file that has joined none")
     ->excludes(merge);
-  command->add_flag("--orient", options.repair.are_faces_oriented, "Reverse faces so that neighbors agree");
-  command->add_flag("--split", options.repair.is_split,
-                    "Cut the mesh open at edges with more than two faces, at vertices whose faces form several fans, "
-                    "and where no orientation agrees");
-  command->add_flag("--largest", options.repair.is_largest_kept, "Keep the component with the most faces only");
+  command->add_flag("--cancel-opposite", repair.are_opposite_faces_cancelled,
+                    "Cancel faces with the same corners the other way round, one by one; of a sheet that is listed on "
+                    "both sides, one stays");
+  command->add_flag("--split", repair.is_split,
+                    "Pair faces at edges with more than two, and cut the mesh open at those that are left, at vertices "
+                    "whose faces form several fans, and where no orientation agrees");
+  command->add_flag("--orient", repair.are_faces_oriented, "Reverse faces so that neighbors agree");
+  add_real_number(*command, "--least-piece", repair.least_share,
+                  "Leave out components with less than this share of the area, 0.01 for a hundredth, and closed ones "
+                  "that have no inside, or are inside out and neither lie in another one nor hold one");
+  add_whole_number(*command, "--fill", repair.most_filled_edges, "Fill borders of at most so many edges");
+  command->add_flag("--largest", repair.is_largest_kept, "Keep the component with the most faces only");
+  command->add_flag_callback(
+    "--all",
+    [&repair] {
+      repair.are_coinciding_points_merged = repair.are_opposite_faces_cancelled = true;
+      repair.is_split = repair.are_faces_oriented = true;
+    },
+    "The same as --merge --cancel-opposite --split --orient");
   begin_group(*command, "Output");
   add_output_files(
     *command, options.output_paths,
@@ -214,7 +229,7 @@ void add_repair_command(CLI::App& app, Repair_command_options& options)
   add_file(*command, "--map", options.map_path,
            "Write the new number of each vertex of MESH to this file, one per line, -1 if it is left out");
   add_json_option(*command, options.is_report_json);
-  add_example(*command, "reeb_graph repair scan.stl --merge-within 1e-8 --output closed.ply");
+  add_example(*command, "reeb_graph repair scan.stl --all --output closed.ply");
   command->callback([&options] { run_with_threads(0, [&options] { run_repair(options); }); });
 }
 
@@ -223,6 +238,9 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
   CLI::App* command = app.add_subcommand("skeleton", "Extract lines inside, with radii, and a loop for each handle");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input, "; by default the distance from a tip of each component");
+  add_strict_option(*command, options.input);
+  add_real_number(*command, "--least-piece", options.input.least_share,
+                  "Leave out components with less than this share of the area, and those without inside, as by repair");
   begin_group(*command, "Skeleton");
   add_real_number(
     *command, "--pruning-ratio", options.settings.pruning_ratio,

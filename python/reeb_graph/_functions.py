@@ -151,27 +151,39 @@ class Repaired(NamedTuple):
 
 
 def repair(
-    triangles: Any, points: Any = None, *, merge: bool = False, merge_within: float | None = None, orient: bool = False,
-    split: bool = False, largest: bool = False, threads: int | None = None, progress: Progress = None,
+    triangles: Any, points: Any = None, *, merge: bool = False, merge_within: float | None = None,
+    cancel_opposite: bool = False, split: bool = False, orient: bool = False, least_piece: float = 0, fill: int = 0,
+    largest: bool = False, all: bool = False, threads: int | None = None, progress: Progress = None,
 ) -> Repaired:
-    """Leave out triangles with a repeated corner and repeated ones, and do more if asked to.
+    """Leave out triangles with a repeated corner and repeated ones, and do more if asked to, in the order of parameters.
 
     Parameters
     ----------
     triangles : (m, 3) array of integers, or a mesh
     points : (n, 3) array
     merge : bool
-        Whether points of border edges that coincide become one, as by `merge_vertices` of trimesh.
+        Whether points that coincide become one, unless an edge would get more than two triangles, or a point several fans
+        of them.
     merge_within : float, optional
         Points of border edges that are at most so far apart become one: each joins the nearest one before it that has
         joined none, never in chains. The one with the lowest number stays.
+    cancel_opposite : bool
+        Whether triangles with the same corners cancel each other one by one, one way round against the other. Where a whole
+        component would go, one side of it stays.
+    split : bool
+        Whether triangles are paired at edges with more than two, and the mesh is cut open at those that are left, at
+        vertices with several fans, and where no orientation agrees. Points that are added come last.
     orient : bool
         Whether triangles are reversed so that neighbors agree.
-    split : bool
-        Whether the mesh is cut open at edges with more than two triangles, vertices with several fans, and where no
-        orientation agrees. Points that are added come last.
+    least_piece : float
+        The share of the area from which on components stay. If it is not 0, closed ones go, too, that have no inside, or
+        are inside out and neither lie in another one nor hold one.
+    fill : int
+        Borders of at most so many edges are filled.
     largest : bool
         Whether only the component with the most triangles stays.
+    all : bool
+        The same as `merge`, `cancel_opposite`, `split` and `orient`.
     threads, progress
         As for `compute`.
 
@@ -186,7 +198,9 @@ def repair(
     if merge and merge_within is not None:
         raise ValueError("merge and merge_within do not go together")
     distance = None if merge_within is None else float(merge_within)
-    options = _core.RepairOptions(bool(merge), distance, bool(orient), bool(split), bool(largest))
+    fill = _arrays.count_of(fill, "fill", 0)
+    options = _core.RepairOptions(bool(merge or all), distance, bool(cancel_opposite or all), False, bool(split or all),
+                                  bool(orient or all), float(least_piece), fill, bool(largest))
     result = run(_core.repair, mesh.checked(len(mesh.points)), len(mesh.points), options, threads=threads, progress=progress, name="repair")
     return Repaired(*result)
 

@@ -81,14 +81,15 @@ class Skeleton:
 
 def skeleton(
     triangles: Any, points: Any = None, scalars: Any = None, *, pruning_ratio: float = 0.5, sampling_ratio: float = 0.5,
-    ends_at_borders: bool = True, threads: int | None = None, progress: Progress = None,
+    ends_at_borders: bool = True, least_piece: float = 0, strict: bool = False, threads: int | None = None,
+    progress: Progress = None,
 ) -> Skeleton:
     """Extract a curve skeleton: lines inside of a surface, with a loop for each handle, and radii.
 
     Parameters
     ----------
     triangles : (m, 3) array of integers, or a mesh
-        An oriented manifold surface.
+        If they are not an oriented manifold surface, a copy is repaired as by `repair` with `all`.
     points : (n, 3) array
     scalars : (n,) array, or the name of data of the mesh, optional
         A field whose contours give the lines; by default the distance from a tip of each component.
@@ -98,6 +99,10 @@ def skeleton(
         The distance between points as a share of the radius, from 0.01 to 100.
     ends_at_borders : bool
         Whether borders are ends; if not, they are filled, as holes of a scan.
+    least_piece : float
+        The share of the area from which on components stay, as for `repair`.
+    strict : bool
+        Whether a mesh that is not an oriented manifold surface is a ValueError.
     threads, progress
         As for `compute`.
 
@@ -115,7 +120,8 @@ def skeleton(
     values = None if scalars is None else _arrays.doubles(_arrays.scalars_of(mesh, scalars))
     number = len(mesh.points if values is None else values)
     settings = _core.SkeletonSettings(float(pruning_ratio), float(sampling_ratio), bool(ends_at_borders))
-    arguments = mesh.checked(number), number, values, settings
+    repairs = _core.RepairOptions(True, None, True, False, not strict, True, float(least_piece), 0, False)
+    arguments = mesh.checked(number), number, values, settings, repairs
     found = run(_core.skeleton, *arguments, threads=threads, progress=progress, name="skeleton")
     of_points, radii, inscribed_radii, arcs, vertex_map, counts = found
     pairs = [np.column_stack([arc[:-1], arc[1:]]) for arc in arcs]

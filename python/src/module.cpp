@@ -253,9 +253,18 @@ auto mesh_arrays(Graph_of_arrays& graph)
 
 std::vector<double> values_of(const Scalar_map& map) { return {map.begin(), map.end()}; }
 
-Mesh make_surface(const Polygon_soup& soup, const std::string& what)
+// Repairs the mesh if that is wanted, and it is no surface or is to lose components.
+Mesh make_surface(Polygon_soup soup,
+                  const std::string& what,
+                  const std::optional<Repair_options>& repairs = std::nullopt)
 {
   Mesh mesh = make_mesh(soup);
+  if(repairs && is_to_be_repaired(soup, mesh, *repairs))
+  {
+    Input_findings unused;
+    leave_out_repeated_faces(soup, unused);
+    repair_mesh(std::move(soup), *repairs, mesh);
+  }
   if(mesh.complex)
     throw std::runtime_error(what + " needs an oriented manifold surface; " + describe_obstacle(mesh));
   return mesh;
@@ -489,7 +498,7 @@ py::object repair(const Mesh_arrays& arrays, std::size_t number_of_points, const
   run([&] {
     Input_findings unused;
     leave_out_degenerate_faces(soup.polygons, unused);
-    leave_out_repeated_faces(soup.polygons, unused);
+    leave_out_repeated_faces(soup, unused);
     for(const std::size_t v : repair_soup(soup, options).new_vertices)
       map.push_back(v == no_vertex ? -1 : static_cast<std::int64_t>(v));
     for(std::size_t i = 0; i < soup.polygons.size(); ++i)
@@ -506,13 +515,14 @@ py::object skeleton(const Mesh_arrays& arrays,
                     std::size_t number_of_vertices,
                     const std::optional<Value_array>& scalars,
                     const Skeleton_settings& settings,
+                    const std::optional<Repair_options>& repairs,
                     Run& run)
 {
   const Polygon_soup soup = copy_arrays(arrays, number_of_vertices);
   const Value_array* const given = scalars ? &*scalars : nullptr;
   Skeleton result;
   run([&] {
-    Mesh mesh = make_surface(soup, "a skeleton");
+    Mesh mesh = make_surface(soup, "a skeleton", repairs);
     std::optional<Scalar_map> map;
     if(given)
       map = add_map(mesh.surface, "v:scalar", given);
@@ -522,6 +532,7 @@ py::object skeleton(const Mesh_arrays& arrays,
   std::vector<std::int64_t> vertex_map;
   for(const std::size_t v : result.vertex_map)
     vertex_map.push_back(v == Skeleton::none ? -1 : static_cast<std::int64_t>(v));
+  vertex_map.resize(number_of_vertices); // without those that a repair has added
   const std::map<std::string, std::size_t> numbers = {
     {"components", known.number_of_components},
     {"genus", known.genus},
@@ -577,7 +588,8 @@ void add_functions(py::module_& module)
     .value("cutting_system", Curves_type::CUTTING_SYSTEM)
     .value("pants", Curves_type::PANTS)
     .value("branches", Curves_type::BRANCH);
-  py::class_<Repair_options>(module, "RepairOptions").def(py::init<bool, std::optional<double>, bool, bool, bool>());
+  py::class_<Repair_options>(module, "RepairOptions")
+    .def(py::init<bool, std::optional<double>, bool, bool, bool, bool, double, std::size_t, bool>());
   module.def("read", &read);
   module.def("repair", &repair);
   module.def("handles", &handles);

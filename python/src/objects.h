@@ -12,6 +12,7 @@
 #include "base/complex.h"
 #include "base/progress_bar.h"
 #include "base/threads.h"
+#include "base/vertex_properties.h"
 #include "computation/Mesh_graph.h"
 #include "input/Polygon_soup.h"
 #include "output/output_file.h"
@@ -154,7 +155,10 @@ inline Scalar_map add_map(Surface& surface, const std::string& name, const Value
 {
   Scalar_map map = surface.add_property_map<Surface::Vertex_index, double>(name).first;
   if(values)
+  {
     std::copy_n(values->data(), values->size(), map.begin());
+    set_added_vertices(surface, map);
+  }
   return map;
 }
 

@@ -110,11 +110,16 @@ def test_repair(tmp_path):
 
     book = [[0, 1, 2], [1, 0, 3], [0, 1, 4], [0, 1, 1], [0, 1, 4]]
     triangles, points, numbers = reeb_graph.repair(book, POINTS[:5], split=True, largest=True)
-    assert len(triangles) == 1 and len(points) == 3 and list(numbers).count(-1) == 2
+    kept = numbers >= 0
+    assert len(triangles) == 2 and len(points) == 4 and np.array_equal(points[numbers[kept]], POINTS[:5][kept])
     assert len(reeb_graph.repair(book, POINTS[:5]).triangles) == 3
     turned = reeb_graph.repair([[0, 1, 2], [0, 1, 3]], POINTS[:4], orient=True).triangles
     assert sorted(turned[1]) == [0, 1, 3] and list(turned[1]) != [0, 1, 3]
-    for wrong in ({"merge_within": 0}, {"merge_within": -1}, {"merge_within": np.nan}, {"merge": True, "merge_within": 1}):
+    fin = [*TRIANGLES[1:], TRIANGLES[0], TRIANGLES[0][::-1], TRIANGLES[0]]
+    assert len(reeb_graph.repair(fin, POINTS, cancel_opposite=True).triangles) == len(TRIANGLES)
+    assert len(reeb_graph.repair(fin[:-2], POINTS, fill=3, least_piece=0.01, all=True).triangles) == len(TRIANGLES)
+    for wrong in ({"merge_within": 0}, {"merge_within": -1}, {"merge_within": np.nan}, {"merge": True, "merge_within": 1},
+                  {"least_piece": 2}, {"fill": -1}):
         with pytest.raises(ValueError):
             reeb_graph.repair(TRIANGLES, POINTS, **wrong)
     with pytest.raises(ValueError, match="needs points"):

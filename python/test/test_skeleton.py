@@ -114,8 +114,25 @@ def test_wrong_meshes():
     with pytest.raises(ValueError, match="needs points"):
         reeb_graph.skeleton(triangles)
     with pytest.raises(ValueError, match="surface"):
-        reeb_graph.skeleton([[0, 1, 2], [0, 1, 3], [0, 1, 4]], points[:5])
+        reeb_graph.skeleton([[0, 1, 2], [0, 1, 3], [0, 1, 4]], points[:5], strict=True)
     with pytest.raises(ValueError):
         reeb_graph.skeleton(triangles, np.where(np.arange(len(points))[:, None] == 7, np.nan, points))
     with pytest.raises((TypeError, ValueError)):
         reeb_graph.skeleton(triangles, points, pruning_ratio="much")
+
+
+def test_what_is_no_surface():
+    triangles, points = TORUS
+    pressed = np.concatenate([triangles, [[0, 1, len(points)], [1, 0, len(points)]]])
+    more = np.concatenate([points, [[9.0, 9, 9]]])
+    with pytest.raises(ValueError, match="oriented manifold surface"):
+        reeb_graph.skeleton(pressed, more, strict=True)
+    skeleton, whole = reeb_graph.skeleton(pressed, more, more[:, 2]), reeb_graph.skeleton(triangles, points, points[:, 2])
+    assert np.array_equal(skeleton.points, whole.points) and skeleton.n_loops == 1
+    assert len(skeleton.vertex_map) == len(more) and skeleton.vertex_map[-1] == -1
+    # vertex 0 twice, and cut apart: a copy of it has the same value, and the map is that of the vertices handed in
+    fans = np.concatenate([triangles, [[0, len(points), len(points) + 1]]])
+    more = np.concatenate([points, [[9.0, 9, 9], [9.0, 10, 9]]])
+    skeleton = reeb_graph.skeleton(fans, more, more[:, 2])
+    assert skeleton.counts["components"] == 2 and len(skeleton.vertex_map) == len(more)
+    assert reeb_graph.skeleton(*two_parts(), least_piece=0.4).counts["components"] == 1

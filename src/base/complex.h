@@ -45,6 +45,7 @@ struct Mesh
   std::optional<Complex> complex;
   std::vector<std::string> notes = {}; // on what was left out when it was read
   Input_findings findings = {};
+  std::optional<Repair_counts> repair = {}; // of the copy that this is, if the file has no surface
 };
 
 } // namespace reeb_graph_program

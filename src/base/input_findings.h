@@ -69,11 +69,15 @@ struct Soup_counts
 // What a repair has done.
 struct Repair_counts
 {
-  std::size_t merged_points = 0;
-  std::size_t collapsed_faces = 0; // that a merged point is at two corners of
+  std::size_t merged_points = 0, unmerged_points = 0; // the latter coincide with others
+  std::size_t collapsed_faces = 0;                    // that a merged point is at two corners of
   std::size_t faces_repeated_by_merging = 0;
+  std::size_t cancelled_faces = 0, sheets = 0;       // components that are both sides of a sheet, of which one stays
+  std::size_t paired_edges = 0, unpaired_sides = 0;  // of more than two faces: with pairs, and sides that are cut open
+  std::size_t added_points = 0, added_midpoints = 0; // by splitting: the latter are no copies
   std::size_t reversed_faces = 0;
-  std::size_t added_points = 0;      // by splitting
+  std::size_t small_pieces = 0, pieces_without_volume = 0, faces_of_pieces = 0;
+  std::size_t filled_borders = 0, filling_faces = 0;
   std::size_t other_faces = 0;       // than of the largest component
   Soup_counts given, merged, result; // given: but for the faces that are left out
 };

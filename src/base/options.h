@@ -34,6 +34,9 @@ struct Input_options
   std::vector<std::size_t> source_vertices;
   std::vector<double> direction; // empty or three coordinates
   bool are_faces_triangulated = false;
+  bool is_strict = false;   // a mesh that is no surface is refused where one is needed
+  bool is_repaired = false; // one is needed, and made of what is read
+  double least_share = 0;   // of the area, of components that stay then
 };
 
 inline std::vector<std::filesystem::path> input_files(const Input_options& options)

@@ -107,6 +107,8 @@ struct Fixed_values
 struct Work_report
 {
   std::optional<Input_findings> input;                 // of a mesh that has been read from a file
+  std::optional<Repair_counts> repair;                 // of a copy of that, which is used in its place
+  std::string repair_command;                          // which writes the copy
   std::optional<CGAL::Reeb_graph::Field_report> field; // of a field that depends on the geometry of faces
   std::optional<Fixed_values> fixed_values;            // of a field that solves equations, or of distances
   std::vector<std::string> notes;                      // on the input, and on what the user may not expect

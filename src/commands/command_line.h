@@ -82,6 +82,15 @@ inline void add_input_options(CLI::App& command, Input_options& options)
     ->expected(3);
 }
 
+inline void add_strict_option(CLI::App& command, Input_options& options, const std::string& when = "")
+{
+  command.add_flag(
+    "--strict", options.is_strict,
+    when
+      + "Refuse a mesh that is not an oriented manifold surface. By default, a copy of it is repaired, as "
+        "by repair --all, and vertices keep their numbers");
+}
+
 inline void add_field_option(CLI::App& command, Input_options& options, const std::string& default_field = "")
 {
   command.add_option("--field", options.field, "The field, one of the list at the end" + default_field)
@@ -167,6 +176,7 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
     app.add_subcommand("compute", "Compute the Reeb graph of a field on a mesh of triangles or tetrahedra");
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
+  add_strict_option(*command, options.input, "With --html: ");
   add_graph_options(*command, options.graph);
   add_simplification_options(*command, options.simplification);
   begin_group(*command, "Output");

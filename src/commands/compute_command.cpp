@@ -285,7 +285,9 @@ void run_compute(const Compute_options& options)
 {
   check(options);
   Report report;
-  Mesh mesh = read_mesh(options.input, report);
+  Input_options input = options.input;
+  input.is_repaired = !input.is_strict && !options.page_path.empty();
+  Mesh mesh = read_mesh(input, report);
   if(mesh.complex)
     check_for_complex(options, mesh);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);

@@ -99,6 +99,7 @@ void run_handles(const Handles_options& options)
   const std::vector<std::filesystem::path> outputs = check_options(options);
   Handles_report report;
   Input_options input = options.input;
+  input.is_repaired = !input.is_strict;
   if(input.field.empty() && input.scalars_path.empty())
     input.field = "z"; // until the mesh is known
   Mesh mesh;

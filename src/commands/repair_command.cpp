@@ -74,7 +74,14 @@ void add_fields(const Repair_command_options& options,
     typedef typename std::decay_t<decltype(field)>::value_type Number;
     const auto map = surface.add_property_map<Surface::Vertex_index, Number>("v:" + name).first;
     for(const Surface::Vertex_index v : surface.vertices())
-      map[v] = field[Surface::Vertex_index(static_cast<Surface::size_type>(result.old_vertices[v]))];
+    {
+      const auto at = [&](std::size_t old) {
+        return field[Surface::Vertex_index(static_cast<Surface::size_type>(old))];
+      };
+      map[v] = at(result.old_vertices[v]);
+      if(std::is_floating_point_v<Number> && result.other_ends[v] != result.old_vertices[v])
+        map[v] = static_cast<Number>(map[v] / 2 + at(result.other_ends[v]) / 2);
+    }
     report.fields.push_back(compare(name, field, result));
   });
 }
@@ -106,9 +113,14 @@ void run_repair(const Repair_command_options& options)
   Polygon_soup soup = read_checked_soup(options.mesh_path, true, "", findings);
   if(!soup.tetrahedra.empty())
     throw Input_error(options.mesh_path, "repair is for faces, and the mesh has tetrahedra");
-  leave_out_repeated_faces(soup.polygons, findings);
+  leave_out_repeated_faces(soup, findings);
   if(options.are_faces_triangulated)
-    triangulate_faces(soup, options.mesh_path, findings);
+  {
+    Polygon_soup triangles = soup;
+    triangulate_faces(triangles, options.mesh_path, findings); // which names the face that it cannot cut
+    if(!options.repair.are_opposite_faces_cancelled)
+      soup = std::move(triangles);
+  }
   look_over_points(soup, border_points(soup.polygons), findings);
   report.input = findings;
   report.notes = soup.notes;
@@ -116,7 +128,9 @@ void run_repair(const Repair_command_options& options)
   report.add_seconds("read", stopwatch.seconds());
   const Stopwatch repair_stopwatch;
   progress_bar.emplace("repair");
-  const Repair_result result = repair_soup(soup, options.repair);
+  Repair_options repair = options.repair;
+  repair.are_faces_triangulated = options.are_faces_triangulated;
+  const Repair_result result = repair_soup(soup, repair);
   report.counts = result.counts;
   Surface surface = unconnected_surface(soup.points, soup.polygons);
   add_fields(options, result, surface, report);

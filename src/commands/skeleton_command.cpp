@@ -41,6 +41,8 @@ std::vector<std::filesystem::path> check_options(const Skeleton_command_options&
     throw std::runtime_error("--pruning-ratio must not be negative or NaN");
   if(!(options.settings.sampling_ratio >= 0.01 && options.settings.sampling_ratio <= 100))
     throw std::runtime_error("--sampling-ratio has to be from 0.01 to 100");
+  if(!(options.input.least_share >= 0 && options.input.least_share <= 1))
+    throw std::runtime_error("--least-piece has to be from 0 to 1");
   check_outputs(outputs, input_files(options.input));
   return outputs;
 }
@@ -52,6 +54,7 @@ void run_skeleton(const Skeleton_command_options& options)
   const std::vector<std::filesystem::path> outputs = check_options(options);
   Skeleton_report report;
   Input_options input = options.input;
+  input.is_repaired = !input.is_strict;
   if(!has_field(input))
     input.field = "geodesic";
   Surface surface = read_surface("skeleton", input, report);

@@ -95,6 +95,17 @@ private:
   std::size_t size_ = 0;
 };
 
+// The mean of the corners of a polygon, which does not overflow.
+template <class Vertices>
+Point mean_of(const std::vector<Point>& points, const Vertices& vertices)
+{
+  std::array<double, 3> sum = {};
+  for(const auto v : vertices)
+    for(int k = 0; k < 3; ++k)
+      sum[static_cast<std::size_t>(k)] += points[v][k] / static_cast<double>(vertices.size());
+  return {sum[0], sum[1], sum[2]};
+}
+
 // Adds the triangles of a strip: of any three corners in a row, every other one the other way round. Those with a
 // repeated vertex, by which strips turn or are joined, are no faces.
 inline void add_strip(const std::vector<Corner>& strip, Polygons& polygons)
@@ -119,6 +130,7 @@ struct Polygon_soup
 {
   std::vector<Point> points;
   Polygons polygons;
+  std::vector<std::size_t> copies;          // of each polygon in the file, if repeated ones have been left out
   std::vector<std::array<Corner, 2>> edges; // besides those of the polygons
   std::vector<std::array<Corner, 4>> tetrahedra;
   std::vector<double> scalars;      // the property of the points that was asked for; empty if none was

@@ -10,6 +10,7 @@
 
 #include "base/progress_bar.h"
 #include "base/stopwatch.h"
+#include "base/vertex_properties.h"
 #include "computation/complex_counts.h"
 #include "computation/distances_along_edges.h"
 #include "computation/scalar_fields.h"
@@ -19,6 +20,7 @@
 #include "input/scalar_input.h"
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,9 +40,10 @@ void read_field(const Input_options& options, const Surface& surface, Scalar_map
   if(!options.scalars_path.empty())
   {
     const std::vector<double> scalars =
-      read_scalars(options.scalars_path, options.column, surface.number_of_vertices());
-    for(const Surface::Vertex_index v : surface.vertices())
-      scalar_map[v] = scalars[v];
+      read_scalars(options.scalars_path, options.column, number_of_given_vertices(surface));
+    for(std::size_t v = 0; v < scalars.size(); ++v)
+      scalar_map[Surface::Vertex_index(static_cast<Surface::size_type>(v))] = scalars[v];
+    set_added_vertices(surface, scalar_map);
   }
   if(is_coordinate(options.field))
     for(const Surface::Vertex_index v : surface.vertices())
@@ -70,7 +73,7 @@ std::string describe_obstacle(const Mesh& mesh)
   if(!complex.tetrahedra.empty())
     return obstacle;
   return obstacle
-       + (complex.edges.empty() ? "; reeb_graph repair --split cuts the mesh open there"
+       + (complex.edges.empty() ? "; reeb_graph repair --all makes a surface of it"
                                 : "; reeb_graph repair leaves edges of no face out");
 }
 
@@ -88,10 +91,23 @@ Mesh read_mesh(const Input_options& options, Work_report& report)
   const Stopwatch stopwatch;
   const Progress_bar progress_bar("reading");
   check_field_options(options);
-  Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options));
+  Repair_options repair = all_repairs(options.least_share);
+  repair.is_split = options.is_repaired;
+  Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options), &repair);
   report.add_seconds("read", stopwatch.seconds());
   report.notes.insert(report.notes.end(), mesh.notes.begin(), mesh.notes.end());
   report.input = mesh.findings;
+  report.repair = mesh.repair;
+  if(mesh.repair)
+  {
+    std::ostringstream command;
+    command << "reeb_graph repair " << name_of_input(options.mesh_path)
+            << (mesh.repair->given.is_surface() ? "" : " --all");
+    if(options.least_share > 0)
+      command << " --least-piece " << options.least_share;
+    command << (options.are_faces_triangulated ? " --triangulate" : "") << " --output repaired.ply";
+    report.repair_command = command.str();
+  }
   check_kind("the field " + options.field, options, mesh);
   return mesh;
 }

@@ -46,9 +46,14 @@ Duplicates find_duplicates(const Polygons& polygons, bool have_same_orientation)
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), is_less);
   Duplicates duplicates;
-  for(std::size_t k = 1; k < order.size(); ++k)
-    if(!is_less(order[k - 1], order[k]))
+  duplicates.firsts.resize(polygons.size());
+  for(std::size_t k = 0; k < order.size(); ++k)
+  {
+    const bool is_repeated = k > 0 && !is_less(order[k - 1], order[k]);
+    duplicates.firsts[order[k]] = is_repeated ? duplicates.firsts[order[k - 1]] : order[k];
+    if(is_repeated)
       duplicates.numbers.push_back(order[k]);
+  }
   std::sort(duplicates.numbers.begin(), duplicates.numbers.end());
   duplicates.number = duplicates.numbers.size();
   if(duplicates.number > 0)

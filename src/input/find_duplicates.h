@@ -22,6 +22,7 @@ struct Duplicates
   std::size_t number = 0;
   std::vector<std::size_t> numbers; // of all of them, in ascending order
   std::optional<std::size_t> first;
+  std::vector<std::size_t> firsts; // of each polygon, the first one that it repeats, or itself
 };
 
 // Polygons are the same if their vertices are, in the same cyclic order, or, unless that is asked for, the opposite

@@ -8,6 +8,7 @@
 
 #include "input/mesh_input.h"
 
+#include "base/vertex_properties.h"
 #include "computation/complex_counts.h"
 #include "input/assemble_surface.h"
 #include "input/close_points.h"
@@ -24,9 +25,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -247,31 +250,94 @@ void triangulate_faces(Polygon_soup& soup, const std::string& path, const Input_
                           "corners");
 }
 
-Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property)
+bool is_to_be_repaired(const Polygon_soup& soup, const Mesh& mesh, const Repair_options& repair)
+{
+  if(!mesh.complex)
+    return repair.least_share > 0;
+  return repair.is_split && mesh.complex->tetrahedra.empty() && soup.polygons.size() > 0;
+}
+
+void repair_mesh(Polygon_soup soup, Repair_options repair, Mesh& mesh)
+{
+  if(!mesh.complex)
+  {
+    const double least_share = repair.least_share;
+    repair = Repair_options();
+    repair.least_share = least_share;
+  }
+  repair.are_faces_triangulated = true;
+  Polygon_soup whole;
+  whole.points = soup.points;
+  const Repair_result result = repair_soup(soup, repair);
+  std::vector<std::size_t> numbers(soup.points.size());
+  std::vector<std::array<std::uint32_t, 2>> origins;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+  {
+    const std::size_t old = result.old_vertices[v];
+    numbers[v] = result.new_vertices[old] == v ? old : whole.points.size();
+    if(numbers[v] == old)
+      continue;
+    whole.points.push_back(soup.points[v]);
+    origins.push_back({static_cast<std::uint32_t>(old), static_cast<std::uint32_t>(result.other_ends[v])});
+  }
+  std::vector<std::size_t> corners;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    corners.clear();
+    for(const Corner v : soup.polygons[i])
+      corners.push_back(numbers[v]);
+    whole.polygons.add(corners);
+  }
+  if(!assemble_surface(whole, mesh.surface))
+    throw std::runtime_error("the mesh cannot be repaired");
+  const Origin_map map =
+    mesh.surface.add_property_map<Surface::Vertex_index, std::array<std::uint32_t, 2>>(name_of_origins).first;
+  const std::size_t given = whole.points.size() - origins.size();
+  for(const Surface::Vertex_index v : mesh.surface.vertices())
+    map[v] = v.idx() < given ? std::array<std::uint32_t, 2>{v.idx(), v.idx()} : origins[v.idx() - given];
+  mesh.complex.reset();
+  mesh.repair = result.counts;
+}
+
+Mesh read_mesh(const std::string& path,
+               bool are_faces_triangulated,
+               const std::string& vertex_property,
+               const Repair_options* repair)
 {
   Input_findings findings;
   Polygon_soup soup = read_checked_soup(path, are_faces_triangulated, vertex_property, findings);
   std::optional<Polygons> faces; // of a file that has other ones than triangles
+  Polygon_soup uncut;            // the same with how often they are there, if they may be repaired
   if(!soup.polygons.are_triangles())
   {
-    leave_out_repeated_faces(soup.polygons, findings);
+    leave_out_repeated_faces(soup, findings);
     faces = soup.polygons;
+    if(repair != nullptr)
+      uncut = soup;
     triangulate_faces(soup, path, findings);
   }
   Mesh mesh = make_mesh(soup, faces ? &*faces : nullptr);
   if(mesh.complex && !faces) // else no face is repeated
   {
-    leave_out_repeated_faces(soup.polygons, findings);
+    leave_out_repeated_faces(soup, findings);
     if(!findings.repeated_faces.empty())
       mesh = make_mesh(soup);
   }
   look_over_points(soup, border_points(soup, mesh), findings);
+  if(repair != nullptr && is_to_be_repaired(soup, mesh, *repair))
+  {
+    if(mesh.complex && !soup.edges.empty())
+      soup.notes.push_back("edges of no face are left out");
+    repair_mesh(mesh.complex && faces ? uncut : soup, *repair, mesh);
+    findings.close_points = Close_points(); // which have been merged
+  }
   mesh.findings = findings;
   if(!vertex_property.empty())
   {
     const Scalar_map scalar_map = mesh.surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
-    for(const Surface::Vertex_index v : mesh.surface.vertices())
-      scalar_map[v] = soup.scalars[v];
+    for(std::size_t v = 0; v < soup.scalars.size(); ++v)
+      scalar_map[Surface::Vertex_index(static_cast<Surface::size_type>(v))] = soup.scalars[v];
+    set_added_vertices(mesh.surface, scalar_map);
   }
   mesh.notes = std::move(soup.notes);
   return mesh;

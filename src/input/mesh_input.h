@@ -12,6 +12,7 @@
 #include "base/complex.h"
 #include "base/surface.h"
 #include "input/Polygon_soup.h"
+#include "input/repair_soup.h"
 
 #include <string>
 
@@ -20,7 +21,18 @@ namespace reeb_graph_program {
 // ones included. Faces with a repeated corner, and those that repeat an earlier one in the same orientation, are left out.
 // Faces are oriented consistently if need be; what is no oriented manifold surface then becomes a complex. The property of the vertices that is asked for, if any, becomes the property map v:scalar. Throws
 // Input_error.
-Mesh read_mesh(const std::string& path, bool are_faces_triangulated, const std::string& vertex_property);
+// If a repair is given, a mesh of faces that is no surface is made one by it, and one that is a surface only loses
+// components. The vertices keep their numbers, and what is added comes behind them, with a property map of origins.
+Mesh read_mesh(const std::string& path,
+               bool are_faces_triangulated,
+               const std::string& vertex_property,
+               const Repair_options* repair = nullptr);
+
+// Whether the mesh of a soup is no surface, but one of faces that the repair can make one; or loses components by it.
+bool is_to_be_repaired(const Polygon_soup& soup, const Mesh& mesh, const Repair_options& repair);
+
+// Makes the mesh the surface of the repaired soup, in this way; only leaves out components if it is one.
+void repair_mesh(Polygon_soup soup, Repair_options repair, Mesh& mesh);
 
 // What is in the file, in its order, but for faces with a repeated corner or fewer than three; all numbers of vertices are those of points.
 Polygon_soup read_checked_soup(const std::string& path,

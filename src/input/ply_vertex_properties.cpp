@@ -60,8 +60,9 @@ Any_vertex_property add_property(Surface& surface, const Vertex_field& field)
 {
   const auto add = [&](auto number) -> Any_vertex_property {
     const auto map = add_property<decltype(number)>(surface, field.name);
-    for(const Surface::Vertex_index v : surface.vertices())
-      map[v] = static_cast<decltype(number)>(field.numbers[v]);
+    for(std::size_t v = 0; v < field.numbers.size(); ++v)
+      map[Surface::Vertex_index(static_cast<Surface::size_type>(v))] = static_cast<decltype(number)>(field.numbers[v]);
+    set_added_vertices(surface, map);
     return map;
   };
   Any_vertex_property property;
@@ -92,9 +93,11 @@ void read_vertex_properties(const Element& element,
     maps.push_back(is_kept ? std::make_optional(add_property(surface, property)) : std::nullopt);
   }
   std::vector<double> numbers;
-  for(const Surface::Vertex_index v : surface.vertices())
+  const std::size_t number_of_vertices = number_of_given_vertices(surface);
+  for(std::size_t i = 0; i < number_of_vertices; ++i)
     for(std::size_t j = 0; j < maps.size(); ++j)
     {
+      const Surface::Vertex_index v(static_cast<Surface::size_type>(i));
       data.read(element.properties[j], numbers);
       const auto store = [&](const auto& map) {
         map[v] = static_cast<typename std::decay_t<decltype(map)>::value_type>(numbers.front());
@@ -104,7 +107,10 @@ void read_vertex_properties(const Element& element,
     }
   for(const auto& map : maps)
     if(map)
+    {
+      std::visit([&](const auto& numbers_of_map) { set_added_vertices(surface, numbers_of_map); }, *map);
       result.push_back(*map);
+    }
 }
 
 } // namespace

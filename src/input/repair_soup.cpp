@@ -10,21 +10,25 @@
 
 #include "input/close_points.h"
 #include "input/find_duplicates.h"
+#include "input/merge_points.h"
+#include "input/pair_faces.h"
+#include "input/pieces.h"
 #include "input/repeated_vertex.h"
 #include "input/soup_counts.h"
-
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include "input/triangulate_faces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
-
-namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace reeb_graph_program {
 namespace {
@@ -74,22 +78,6 @@ std::vector<std::size_t> numbers_in_file(std::vector<std::size_t> numbers, const
   return numbers;
 }
 
-// What orient_polygon_soup() does, by numbers.
-struct Orientation_record
-{
-  std::vector<char> is_reversed;
-  std::vector<std::size_t> originals; // of the vertices that it adds
-};
-
-struct Orientation_visitor : PMP::Default_orientation_visitor
-{
-  explicit Orientation_visitor(Orientation_record* given = nullptr) : record(given) {}
-  void duplicated_vertex(std::size_t original, std::size_t) { record->originals.push_back(original); }
-  void polygon_orientation_reversed(std::size_t i) { record->is_reversed[i] ^= 1; }
-
-  Orientation_record* record;
-};
-
 class Soup_repair
 {
 public:
@@ -97,20 +85,38 @@ public:
   {
     result_.new_vertices.resize(soup.points.size());
     std::iota(result_.new_vertices.begin(), result_.new_vertices.end(), std::size_t(0));
-    result_.old_vertices = result_.new_vertices;
+    result_.old_vertices = result_.other_ends = result_.new_vertices;
   }
 
   Repair_result repair()
   {
     Repair_counts& counts = result_.counts;
     counts.given = counts.merged = count_soup(soup_.polygons, soup_.points.size());
-    if(options_.are_coinciding_points_merged || options_.distance)
+    const bool is_merged = options_.are_coinciding_points_merged || options_.distance;
+    constexpr int most_turns = 8;
+    for(int turn = 0; turn < most_turns; ++turn)
     {
-      merge();
-      counts.merged = count_soup(soup_.polygons, soup_.points.size());
+      if(!(is_merged && merge()) && turn > 0)
+        break;
+      // What is cancelled can be in the way of merging.
+      while(options_.are_opposite_faces_cancelled && cancel_opposite_faces() && is_merged && merge())
+      {}
+      if(options_.are_faces_triangulated && triangulate_faces(soup_))
+        throw std::runtime_error("a face cannot be cut into triangles");
+      if(options_.is_split)
+        add_points(split_at_pairs(soup_, pair_faces(soup_), counts));
+      if(options_.are_faces_oriented)
+        orient();
+      soup_.copies.clear();
+      if(!options_.is_split || options_.distance || !is_merged)
+        break; // else points may be merged now, as faces are parted, and agree
     }
-    if(options_.are_faces_oriented || options_.is_split)
-      orient_or_split();
+    if(is_merged)
+      count_unmerged_points();
+    if(options_.least_share > 0)
+      leave_out_pieces(faces_of_lesser_pieces(soup_, options_.least_share, counts), counts.faces_of_pieces);
+    if(options_.most_filled_edges > 0)
+      fill();
     if(options_.is_largest_kept)
       keep_largest();
     counts.result = count_soup(soup_.polygons, soup_.points.size());
@@ -121,86 +127,172 @@ private:
   // Keeps those of the points, in their order, and of the polygons what is left.
   void keep(const std::vector<char>& is_kept)
   {
-    std::vector<std::size_t> numbers(soup_.points.size(), no_vertex), old_vertices;
-    std::vector<Point> points;
+    std::vector<std::size_t> numbers(soup_.points.size(), no_vertex);
+    std::size_t number = 0;
     for(std::size_t v = 0; v < soup_.points.size(); ++v)
       if(is_kept[v] != 0)
       {
-        numbers[v] = points.size();
-        points.push_back(soup_.points[v]);
-        old_vertices.push_back(result_.old_vertices[v]);
+        numbers[v] = number;
+        soup_.points[number] = soup_.points[v];
+        result_.old_vertices[number] = result_.old_vertices[v];
+        result_.other_ends[number++] = result_.other_ends[v];
       }
     for(std::size_t& v : result_.new_vertices)
       v = v == no_vertex ? no_vertex : numbers[v];
     soup_.polygons = copy_polygons(soup_.polygons, {}, [&](Corner v) { return numbers[v]; });
-    soup_.points = std::move(points);
-    result_.old_vertices = std::move(old_vertices);
+    soup_.points.resize(number);
+    result_.old_vertices.resize(number);
+    result_.other_ends.resize(number);
+  }
+
+  std::vector<char> are_on_faces() const
+  {
+    std::vector<char> result(soup_.points.size(), 0);
+    for(std::size_t i = 0; i < soup_.polygons.size(); ++i)
+      for(const Corner v : soup_.polygons[i])
+        result[v] = 1;
+    return result;
+  }
+
+  // Each added point is a copy of a vertex, or between two.
+  void add_points(const std::vector<std::array<Corner, 2>>& origins)
+  {
+    for(const auto& [u, v] : origins)
+    {
+      result_.old_vertices.push_back(result_.old_vertices[u]);
+      result_.other_ends.push_back(result_.old_vertices[v]);
+    }
   }
 
   void leave_out(const std::vector<std::size_t>& polygons)
   {
-    if(!polygons.empty())
-      soup_.polygons = copy_polygons(soup_.polygons, polygons, same_vertex);
+    if(polygons.empty())
+      return;
+    soup_.polygons = copy_polygons(soup_.polygons, polygons, same_vertex);
+    for(auto i = polygons.rbegin(); i != polygons.rend() && !soup_.copies.empty(); ++i)
+      soup_.copies[*i] = 0;
+    soup_.copies.erase(std::remove(soup_.copies.begin(), soup_.copies.end(), 0), soup_.copies.end());
   }
 
-  void merge()
+  // With the points that are on no face.
+  void leave_out_pieces(const std::vector<std::size_t>& polygons, std::size_t& number)
+  {
+    number = polygons.size();
+    leave_out(polygons);
+    if(number > 0)
+      keep(are_on_faces());
+  }
+
+  // Returns whether any are.
+  bool merge()
   {
     const std::vector<Corner> joined =
-      join_close_points(soup_.points, border_points(soup_.polygons), options_.distance.value_or(0));
+      options_.distance ? join_close_points(soup_.points, border_points(soup_.polygons), *options_.distance)
+                        : merge_coinciding_points(soup_, options_.is_split);
     soup_.polygons = copy_polygons(soup_.polygons, {}, [&](Corner v) { return joined[v]; });
     std::vector<char> is_kept(joined.size());
     for(std::size_t v = 0; v < joined.size(); ++v)
-    {
       is_kept[v] = static_cast<char>(joined[v] == v);
-      result_.counts.merged_points += joined[v] == v ? 0 : 1;
-      result_.new_vertices[v] = joined[v];
-    }
+    for(std::size_t& v : result_.new_vertices)
+      v = v == no_vertex ? no_vertex : joined[v];
+    const auto number = static_cast<std::size_t>(std::count(is_kept.begin(), is_kept.end(), 0));
+    result_.counts.merged_points += number;
     const std::vector<std::size_t> collapsed = degenerate_polygons(soup_.polygons);
-    result_.counts.collapsed_faces = collapsed.size();
+    result_.counts.collapsed_faces += collapsed.size();
     leave_out(collapsed);
     const Duplicates duplicates = find_duplicates(soup_.polygons, true);
-    result_.counts.faces_repeated_by_merging = duplicates.number;
+    result_.counts.faces_repeated_by_merging += duplicates.number;
+    for(std::size_t i = 0; i < duplicates.firsts.size() && !soup_.copies.empty(); ++i)
+      soup_.copies[duplicates.firsts[i]] += duplicates.firsts[i] == i ? 0 : soup_.copies[i];
     leave_out(duplicates.numbers);
     keep(is_kept);
+    result_.counts.merged = count_soup(soup_.polygons, soup_.points.size());
+    return number > 0;
   }
 
-  // Vertices that are added get the highest numbers. Without splitting, they are taken back.
-  void orient_or_split()
+  void count_unmerged_points()
   {
-    Orientation_record record;
-    record.is_reversed.resize(soup_.polygons.size(), 0);
-    std::vector<std::vector<std::size_t>> polygons;
-    for(std::size_t i = 0; i < soup_.polygons.size(); ++i)
-      polygons.emplace_back(soup_.polygons[i].begin(), soup_.polygons[i].end());
-    std::vector<Point> points = soup_.points;
-    PMP::orient_polygon_soup(points, polygons, CGAL::parameters::visitor(Orientation_visitor(&record)));
-    const std::size_t given = soup_.points.size();
-    Polygons result;
-    for(std::size_t i = 0; i < polygons.size(); ++i)
+    std::set<std::array<double, 3>> places; // zeros of either sign are the same
+    for(const Point& p : soup_.points)
+      places.insert({p.x() + 0., p.y() + 0., p.z() + 0.});
+    result_.counts.unmerged_points = soup_.points.size() - places.size();
+  }
+
+  // Of faces with the same corners, one stays if it is there more often than the other way round. Of a component that would
+  // go, one side stays, whose faces agree where they can. Returns whether any go.
+  bool cancel_opposite_faces()
+  {
+    const std::vector<std::size_t> firsts = find_duplicates(soup_.polygons, false).firsts;
+    const std::vector<std::size_t> components = components_of_polygons(soup_.polygons, soup_.points.size());
+    const auto copies = [&](std::size_t i) { return soup_.copies.empty() ? 1 : soup_.copies[i]; };
+    std::vector<char> is_out(firsts.size(), 0), is_component_kept(soup_.points.size(), 0);
+    for(std::size_t i = 0; i < firsts.size(); ++i)
+      if(firsts[i] != i)
+      {
+        is_out[i] = copies(i) <= copies(firsts[i]) ? 1 : 0;
+        is_out[firsts[i]] = copies(i) >= copies(firsts[i]) ? 1 : 0;
+      }
+    for(std::size_t i = 0; i < firsts.size(); ++i)
+      if(is_out[i] == 0)
+        is_component_kept[components[i]] = 1;
+    const std::vector<char> were_on_faces = are_on_faces();
+    std::vector<std::size_t> left_out;
+    std::vector<char> is_of_sheet;
+    std::set<std::size_t> sheets;
+    for(std::size_t i = 0; i < firsts.size(); ++i)
     {
-      if(record.is_reversed[i] != 0 && !options_.are_faces_oriented)
-        std::reverse(polygons[i].begin(), polygons[i].end());
-      for(const std::size_t v : polygons[i])
-        result.add_corner(v < given || options_.is_split ? v : original(record, v));
-      result.end_polygon();
+      const bool is_sheet = is_component_kept[components[i]] == 0;
+      if(is_sheet)
+        sheets.insert(components[i]);
+      if(is_sheet ? firsts[i] != i : is_out[i] != 0)
+        left_out.push_back(i);
+      else
+        is_of_sheet.push_back(is_sheet ? 1 : 0);
+    }
+    result_.counts.sheets += sheets.size();
+    result_.counts.cancelled_faces += left_out.size();
+    leave_out(left_out);
+    if(!sheets.empty())
+    {
+      const std::vector<char> is_turned = pair_faces(soup_).is_turned;
+      std::transform(is_turned.begin(), is_turned.end(), is_of_sheet.begin(), is_of_sheet.begin(), std::bit_and<>());
+      reverse(is_of_sheet);
+    }
+    std::vector<char> is_kept = are_on_faces();
+    std::transform(is_kept.begin(), is_kept.end(), were_on_faces.begin(), is_kept.begin(),
+                   [](char is, char was) { return static_cast<char>(is | (was ^ 1)); });
+    keep(is_kept);
+    return !left_out.empty();
+  }
+
+  void reverse(const std::vector<char>& is_turned)
+  {
+    Polygons result;
+    std::vector<Corner> corners;
+    for(std::size_t i = 0; i < soup_.polygons.size(); ++i)
+    {
+      corners.assign(soup_.polygons[i].begin(), soup_.polygons[i].end());
+      if(is_turned[i] != 0)
+        std::reverse(corners.begin(), corners.end());
+      result.add(corners);
     }
     soup_.polygons = std::move(result);
-    if(options_.are_faces_oriented)
-      result_.counts.reversed_faces =
-        static_cast<std::size_t>(std::count(record.is_reversed.begin(), record.is_reversed.end(), 1));
-    if(!options_.is_split)
-      return;
-    result_.counts.added_points = points.size() - given;
-    for(std::size_t v = given; v < points.size(); ++v)
-      result_.old_vertices.push_back(result_.old_vertices[original(record, v)]);
-    soup_.points = std::move(points);
   }
 
-  std::size_t original(const Orientation_record& record, std::size_t v) const
+  void orient()
   {
-    while(v >= soup_.points.size())
-      v = record.originals[v - soup_.points.size()];
-    return v;
+    const std::vector<char> is_turned = pair_faces(soup_).is_turned;
+    result_.counts.reversed_faces += static_cast<std::size_t>(std::count(is_turned.begin(), is_turned.end(), 1));
+    reverse(is_turned);
+  }
+
+  void fill()
+  {
+    std::vector<std::array<Corner, 2>> origins;
+    const std::size_t before = soup_.polygons.size();
+    result_.counts.filled_borders = fill_borders(soup_, options_.most_filled_edges, origins);
+    result_.counts.filling_faces = soup_.polygons.size() - before;
+    add_points(origins);
   }
 
   void keep_largest()
@@ -216,18 +308,10 @@ private:
       if(sizes[component] > sizes[largest])
         largest = component;
     std::vector<std::size_t> others;
-    std::vector<char> is_kept(soup_.points.size(), 0);
     for(std::size_t i = 0; i < components.size(); ++i)
-    {
       if(components[i] != largest)
         others.push_back(i);
-      else
-        for(const Corner v : soup_.polygons[i])
-          is_kept[v] = 1;
-    }
-    result_.counts.other_faces = others.size();
-    leave_out(others);
-    keep(is_kept);
+    leave_out_pieces(others, result_.counts.other_faces);
   }
 
   Polygon_soup& soup_;
@@ -247,13 +331,18 @@ void leave_out_degenerate_faces(Polygons& polygons, Input_findings& findings)
     polygons = copy_polygons(polygons, findings.degenerate_faces, same_vertex);
 }
 
-void leave_out_repeated_faces(Polygons& polygons, Input_findings& findings)
+void leave_out_repeated_faces(Polygon_soup& soup, Input_findings& findings)
 {
-  const Duplicates duplicates = find_duplicates(polygons, true);
+  const Duplicates duplicates = find_duplicates(soup.polygons, true);
   if(duplicates.number == 0)
     return;
   findings.repeated_faces = numbers_in_file(duplicates.numbers, findings.degenerate_faces);
-  polygons = copy_polygons(polygons, duplicates.numbers, same_vertex);
+  std::vector<std::size_t> copies(soup.polygons.size(), 0);
+  for(const std::size_t first : duplicates.firsts)
+    ++copies[first];
+  copies.erase(std::remove(copies.begin(), copies.end(), 0), copies.end());
+  soup.copies = std::move(copies);
+  soup.polygons = copy_polygons(soup.polygons, duplicates.numbers, same_vertex);
 }
 
 std::size_t number_in_file(std::size_t face, const Input_findings& findings)
@@ -268,6 +357,8 @@ Repair_result repair_soup(Polygon_soup& soup, const Repair_options& options)
 {
   if(options.distance && !(*options.distance > 0 && std::isfinite(*options.distance)))
     throw std::runtime_error("the distance within which points are merged must be a positive finite number");
+  if(!(options.least_share >= 0 && options.least_share <= 1))
+    throw std::runtime_error("the least share of the area must be from 0 to 1");
   return Soup_repair(soup, options).repair();
 }
 

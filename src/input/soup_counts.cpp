@@ -8,45 +8,12 @@
 
 #include "input/soup_counts.h"
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <vector>
 
 namespace reeb_graph_program {
-namespace {
-class Union_find_of_indices
-{
-public:
-  explicit Union_find_of_indices(std::size_t size)
-    : ranks_(size, 0),
-      parents_(size),
-      sets_(ranks_.data(), parents_.data())
-  {
-    std::iota(parents_.begin(), parents_.end(), std::size_t(0));
-  }
-  std::size_t find(std::size_t i) { return sets_.find_set(i); }
-  void unite(std::size_t i, std::size_t j) { sets_.union_set(i, j); }
-  bool is_root(std::size_t i) { return find(i) == i; }
-
-private:
-  std::vector<std::size_t> ranks_, parents_;
-  boost::disjoint_sets<std::size_t*, std::size_t*> sets_;
-};
-
-// A side of a polygon, by its vertices in ascending order, and which corners of all polygons it has there.
-struct Polygon_side
-{
-  Corner u, v;
-  std::size_t corner_of_u, corner_of_v;
-  bool is_descending; // along the polygon
-
-  bool operator<(const Polygon_side& other) const { return std::tie(u, v) < std::tie(other.u, other.v); }
-};
-
 std::vector<Polygon_side> sides_of(const Polygons& polygons)
 {
   std::vector<Polygon_side> sides;
@@ -61,17 +28,36 @@ std::vector<Polygon_side> sides_of(const Polygons& polygons)
       const std::size_t next = (j + 1) % size;
       const Corner a = polygon.begin()[j], b = polygon.begin()[next];
       if(a < b)
-        sides.push_back({a, b, first + j, first + next, false});
+        sides.push_back({a, b, first + j, first + next, i, false});
       else
-        sides.push_back({b, a, first + next, first + j, true});
+        sides.push_back({b, a, first + next, first + j, i, true});
     }
     first += size;
   }
-  std::sort(sides.begin(), sides.end());
+  std::sort(sides.begin(), sides.end(), [](const Polygon_side& a, const Polygon_side& b) {
+    return std::tie(a.u, a.v, a.face) < std::tie(b.u, b.v, b.face);
+  });
   return sides;
 }
 
-} // namespace
+std::vector<std::size_t> count_fans(const Polygons& polygons,
+                                    const std::vector<Polygon_side>& sides,
+                                    std::size_t number_of_vertices)
+{
+  Union_find_of_indices fans(sides.size());
+  for(std::size_t i = 1; i < sides.size(); ++i)
+    if(!(sides[i - 1] < sides[i]))
+    {
+      fans.unite(sides[i - 1].corner_of_u, sides[i].corner_of_u);
+      fans.unite(sides[i - 1].corner_of_v, sides[i].corner_of_v);
+    }
+  std::vector<std::size_t> numbers(number_of_vertices, 0);
+  std::size_t corner = 0;
+  for(std::size_t i = 0; i < polygons.size(); ++i)
+    for(const Corner v : polygons[i])
+      numbers[v] += fans.is_root(corner++) ? 1 : 0;
+  return numbers;
+}
 
 Soup_counts count_soup(const Polygons& polygons, std::size_t number_of_vertices)
 {
@@ -79,16 +65,12 @@ Soup_counts count_soup(const Polygons& polygons, std::size_t number_of_vertices)
   Soup_counts counts;
   counts.vertices = number_of_vertices;
   counts.faces = polygons.size();
-  Union_find_of_indices vertices(number_of_vertices), borders(number_of_vertices), fans(sides.size());
+  Union_find_of_indices vertices(number_of_vertices), borders(number_of_vertices);
   std::vector<char> is_on_border(number_of_vertices, 0);
   for(std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
     const Polygon_side& first = sides[begin];
-    for(end = begin + 1; end < sides.size() && !(first < sides[end]); ++end)
-    {
-      fans.unite(first.corner_of_u, sides[end].corner_of_u);
-      fans.unite(first.corner_of_v, sides[end].corner_of_v);
-    }
+    end = end_of_edge(sides, begin);
     ++counts.edges;
     vertices.unite(first.u, first.v);
     counts.edges_of_many_faces += end - begin > 2 ? 1 : 0;
@@ -100,12 +82,8 @@ Soup_counts count_soup(const Polygons& polygons, std::size_t number_of_vertices)
     borders.unite(first.u, first.v);
     is_on_border[first.u] = is_on_border[first.v] = 1;
   }
-  std::vector<std::size_t> fans_of_vertices(number_of_vertices, 0);
-  std::size_t corner = 0;
-  for(std::size_t i = 0; i < polygons.size(); ++i)
-    for(const Corner v : polygons[i])
-      if(fans.is_root(corner++) && ++fans_of_vertices[v] == 2)
-        ++counts.vertices_of_several_fans;
+  for(const std::size_t fans : count_fans(polygons, sides, number_of_vertices))
+    counts.vertices_of_several_fans += fans > 1 ? 1 : 0;
   for(std::size_t v = 0; v < number_of_vertices; ++v)
   {
     counts.components += vertices.is_root(v) ? 1 : 0;

@@ -8,6 +8,8 @@
 
 #include "input/triangulate_faces.h"
 
+#include "input/soup_counts.h"
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -26,7 +28,6 @@
 
 namespace reeb_graph_program {
 namespace {
-// Only this asks predicates of the points, so only this file is compiled with a kernel of exact ones.
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Vector_3 Vector;
 typedef std::array<std::size_t, 3> Corners; // of a triangle, ascending numbers of corners of the polygon
@@ -267,7 +268,70 @@ private:
   std::vector<Vector> corners_;
 };
 
+// The borders of at most so many edges, against the direction of their faces, so that a polygon that fills one agrees
+// with them. They pass no vertex twice, and their faces agree.
+std::vector<std::vector<Corner>> small_borders(const Polygon_soup& soup, std::size_t most_edges)
+{
+  const std::vector<Polygon_side> sides = sides_of(soup.polygons);
+  std::vector<Corner> next(soup.points.size(), too_large_corner);
+  std::vector<std::array<char, 2>> numbers(soup.points.size(), {0, 0}); // of border edges that begin, and that end
+  for(std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  {
+    end = end_of_edge(sides, begin);
+    if(end - begin != 1)
+      continue;
+    const auto [low, high] = std::pair(sides[begin].u, sides[begin].v);
+    const Corner from = sides[begin].is_descending ? low : high, to = sides[begin].is_descending ? high : low;
+    next[from] = to;
+    numbers[from][0] = numbers[from][0] == 0 ? 1 : 2;
+    numbers[to][1] = numbers[to][1] == 0 ? 1 : 2;
+  }
+  std::vector<std::vector<Corner>> borders;
+  std::vector<char> is_passed(soup.points.size(), 0);
+  for(std::size_t first = 0; first < soup.points.size(); ++first)
+  {
+    std::vector<Corner> border;
+    Corner v = static_cast<Corner>(first);
+    for(; numbers[v] == std::array<char, 2>{1, 1} && is_passed[v] == 0; v = next[v])
+    {
+      is_passed[v] = 1;
+      border.push_back(v);
+    }
+    if(!border.empty() && v == first && border.size() <= most_edges)
+      borders.push_back(border);
+  }
+  return borders;
+}
+
 } // namespace
+
+std::size_t fill_borders(Polygon_soup& soup, std::size_t most_edges, std::vector<std::array<Corner, 2>>& origins)
+{
+  const std::vector<std::vector<Corner>> borders = small_borders(soup, most_edges);
+  Taken_edges taken(soup);
+  for(const std::vector<Corner>& border : borders)
+  {
+    const auto at = [&](std::size_t i) { return border[i % border.size()]; };
+    const Polygon_cut cut(soup.points, Polygons::Polygon(border.data(), border.data() + border.size()), taken);
+    std::vector<Corners> pieces = border.size() == 3 ? std::vector<Corners>(1, Corners{0, 1, 2}) : cut.triangles();
+    bool is_any_taken = pieces.empty();
+    for(const Corners& piece : pieces)
+      cut.visit_diagonals(piece, [&](Corner u, Corner v) { is_any_taken = is_any_taken || taken.has(u, v); });
+    for(const Corners& piece : is_any_taken ? std::vector<Corners>() : pieces)
+    {
+      soup.polygons.add(std::array<Corner, 3>{at(piece[0]), at(piece[1]), at(piece[2])});
+      cut.visit_diagonals(piece, [&](Corner u, Corner v) { taken.insert(u, v); });
+    }
+    if(!is_any_taken)
+      continue;
+    const std::size_t center = soup.points.size();
+    soup.points.push_back(mean_of(soup.points, border));
+    origins.push_back({border[0], border[border.size() / 2]});
+    for(std::size_t i = 0; i < border.size(); ++i)
+      soup.polygons.add(std::array<std::size_t, 3>{at(i), at(i + 1), center});
+  }
+  return borders.size();
+}
 
 std::optional<std::size_t> triangulate_faces(Polygon_soup& soup)
 {
@@ -275,12 +339,14 @@ std::optional<std::size_t> triangulate_faces(Polygon_soup& soup)
     return std::nullopt;
   Taken_edges taken(soup);
   Polygons triangles;
+  std::vector<std::size_t> copies;
   triangles.reserve(soup.polygons.number_of_corners() - 2 * soup.polygons.size());
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
   {
     if(soup.polygons[i].size() == 3)
     {
       triangles.add(soup.polygons[i]);
+      copies.push_back(soup.copies.empty() ? 1 : soup.copies[i]);
       continue;
     }
     const Polygon_cut cut(soup.points, soup.polygons[i], taken);
@@ -290,10 +356,12 @@ std::optional<std::size_t> triangulate_faces(Polygon_soup& soup)
     for(const Corners& piece : pieces)
     {
       triangles.add(std::array<Corner, 3>{cut.vertex(piece[0]), cut.vertex(piece[1]), cut.vertex(piece[2])});
+      copies.push_back(soup.copies.empty() ? 1 : soup.copies[i]);
       cut.visit_diagonals(piece, [&](Corner u, Corner v) { taken.insert(u, v); });
     }
   }
   soup.polygons = std::move(triangles);
+  soup.copies = std::move(copies);
   return std::nullopt;
 }
 

@@ -15,6 +15,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -48,12 +49,6 @@ void write_mesh_counts(std::ostream& out, const std::string& title, const Soup_c
   write_faults(out, counts);
 }
 
-void write_step(std::ostream& out, std::size_t number, const std::string& singular, const std::string& plural)
-{
-  if(number > 0)
-    out << "         " << count(number, singular, plural) << '\n';
-}
-
 nlohmann::ordered_json json_of(const Soup_counts& counts)
 {
   nlohmann::ordered_json json;
@@ -72,7 +67,65 @@ nlohmann::ordered_json json_of(const Soup_counts& counts)
   return json;
 }
 
+// The numbers of a repair: their names in JSON, and what is said where one is not 0, for one and for several.
+struct Step
+{
+  const char* name;
+  std::size_t number;
+  const char *singular, *plural;
+};
+
+std::vector<Step> steps_of(const Repair_counts& counts)
+{
+  const auto more = [](std::size_t before, std::size_t after) { return after > before ? after - before : 0; };
+  return {{"merged_points", counts.merged_points, "point merged into another one", "points merged into others"},
+          {"unmerged_points", counts.unmerged_points, "point that coincides with another one left",
+           "points that coincide with others left"},
+          {"collapsed_faces", counts.collapsed_faces, "face left out, as a merged point is at two corners",
+           "faces left out, as merged points are at two corners"},
+          {"faces_repeated_by_merging", counts.faces_repeated_by_merging,
+           "face left out, as merging makes it repeat another one",
+           "faces left out, as merging makes them repeat others"},
+          {"", more(counts.given.edges_of_many_faces, counts.merged.edges_of_many_faces),
+           "edge got more than two faces by merging", "edges got more than two faces by merging"},
+          {"", more(counts.given.vertices_of_several_fans, counts.merged.vertices_of_several_fans),
+           "vertex got several fans of faces by merging", "vertices got several fans of faces by merging"},
+          {"cancelled_faces", counts.cancelled_faces, "face cancelled by one the other way round",
+           "faces cancelled by others the other way round"},
+          {"sheets", counts.sheets, "sheet was there on both sides: one is kept",
+           "sheets were there on both sides: one of each is kept"},
+          {"paired_edges", counts.paired_edges, "edge with more than two faces, where these are paired",
+           "edges with more than two faces, where these are paired"},
+          {"unpaired_faces", counts.unpaired_sides, "face cut off at an edge", "faces cut off at edges"},
+          {"added_points", counts.added_points, "point added by splitting", "points added by splitting"},
+          {"added_midpoints", counts.added_midpoints, "of these on an edge or face", "of these on edges and faces"},
+          {"reversed_faces", counts.reversed_faces, "face reversed", "faces reversed"},
+          {"small_pieces", counts.small_pieces, "component with too small an area left out",
+           "components with too small an area left out"},
+          {"pieces_without_volume", counts.pieces_without_volume, "component without volume left out",
+           "components without volume left out"},
+          {"faces_of_pieces", counts.faces_of_pieces, "face of these", "faces of these"},
+          {"filled_borders", counts.filled_borders, "border filled", "borders filled"},
+          {"filling_faces", counts.filling_faces, "face for that", "faces for that"},
+          {"faces_of_other_components", counts.other_faces, "face of other components left out",
+           "faces of other components left out"}};
+}
+
 } // namespace
+
+void write_steps(std::ostream& out, const Repair_counts& counts)
+{
+  for(const Step& step : steps_of(counts))
+    if(step.number > 0)
+      out << "         " << count(step.number, step.singular, step.plural) << '\n';
+}
+
+void add_steps(nlohmann::ordered_json& json, const Repair_counts& counts)
+{
+  for(const Step& step : steps_of(counts))
+    if(*step.name != '\0')
+      json[step.name] = step.number;
+}
 
 void write_text(std::ostream& out, const Repair_report& report)
 {
@@ -80,20 +133,9 @@ void write_text(std::ostream& out, const Repair_report& report)
   write_mesh_counts(out, "given    ", counts.given);
   write_input_text(out, report);
   out << "repair\n";
-  write_step(out, report.lines_left_out, "line left out", "lines left out");
-  write_step(out, counts.merged_points, "point merged into another one", "points merged into others");
-  write_step(out, counts.collapsed_faces, "face left out, as a merged point is at two corners",
-             "faces left out, as merged points are at two corners");
-  write_step(out, counts.faces_repeated_by_merging, "face left out, as merging makes it repeat another one",
-             "faces left out, as merging makes them repeat others");
-  const auto more = [](std::size_t before, std::size_t after) { return after > before ? after - before : 0; };
-  write_step(out, more(counts.given.edges_of_many_faces, counts.merged.edges_of_many_faces),
-             "edge got more than two faces by merging", "edges got more than two faces by merging");
-  write_step(out, more(counts.given.vertices_of_several_fans, counts.merged.vertices_of_several_fans),
-             "vertex got several fans of faces by merging", "vertices got several fans of faces by merging");
-  write_step(out, counts.reversed_faces, "face reversed", "faces reversed");
-  write_step(out, counts.added_points, "point added by splitting", "points added by splitting");
-  write_step(out, counts.other_faces, "face of other components left out", "faces of other components left out");
+  if(report.lines_left_out > 0)
+    out << "         " << count(report.lines_left_out, "line left out", "lines left out") << '\n';
+  write_steps(out, counts);
   for(const Merged_field& field : report.fields)
     if(field.differing_points > 0)
       out << "         " << field.name << " differs at " << count(field.differing_points, "merged point")
@@ -110,12 +152,7 @@ void write_json(std::ostream& out, const Repair_report& report)
   json["given"] = json_of(counts.given);
   json["merged"] = json_of(counts.merged);
   json["result"] = json_of(counts.result);
-  json["merged_points"] = counts.merged_points;
-  json["collapsed_faces"] = counts.collapsed_faces;
-  json["faces_repeated_by_merging"] = counts.faces_repeated_by_merging;
-  json["reversed_faces"] = counts.reversed_faces;
-  json["added_points"] = counts.added_points;
-  json["faces_of_other_components"] = counts.other_faces;
+  add_steps(json, counts);
   json["lines_left_out"] = report.lines_left_out;
   json["fields"] = nlohmann::ordered_json::array();
   for(const Merged_field& field : report.fields)

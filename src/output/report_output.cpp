@@ -121,6 +121,11 @@ void write_line(std::ostream& out, const nlohmann::ordered_json& json)
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
 {
   json["input"] = report.input ? json_of(*report.input) : nlohmann::ordered_json();
+  if(report.repair)
+  {
+    json["repair"]["command"] = report.repair_command;
+    add_steps(json["repair"], *report.repair);
+  }
   json["added_length"] = report.field ? std::make_optional(report.field->added_length) : std::nullopt;
   json["bad_faces"] = report.field ? std::make_optional(report.field->number_of_bad_faces) : std::nullopt;
   json["fixed_values"] = nullptr;
@@ -139,6 +144,10 @@ void write_input_text(std::ostream& out, const Work_report& report)
     write_findings(out, *report.input);
   for(const std::string& note : report.notes)
     out << "         " << note << '\n';
+  if(!report.repair)
+    return;
+  out << "repair   of a copy, which '" << report.repair_command << "' writes:\n";
+  write_steps(out, *report.repair);
 }
 
 void write_field_text(std::ostream& out, const Work_report& report)

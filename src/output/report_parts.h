@@ -51,6 +51,10 @@ inline std::optional<std::size_t> first_of(const std::vector<std::size_t>& numbe
 // Writes the report and a line end. Names of files and fields may be no UTF-8, which JSON has to be.
 void write_line(std::ostream& out, const nlohmann::ordered_json& json);
 
+// What a repair has done, but for what it was given and has made.
+void write_steps(std::ostream& out, const Repair_counts& counts);
+void add_steps(nlohmann::ordered_json& json, const Repair_counts& counts);
+
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report);
 
 } // namespace reeb_graph_program

@@ -38,7 +38,7 @@ commands.update({
                        "c.polylines.txt"], near_linear),
     "handles": (["handles", "{mesh}", "--scalars", "{values}", "--no-shortening", "--loops", "l.polylines.txt"],
                 near_linear),
-    "repair": (["repair", "{mesh}", "--merge-within", "1e-9", "--orient", "--split", "--largest", "--output", "out.ply"],
+    "repair": (["repair", "{mesh}", "--all", "--least-piece", "0.01", "--fill", "50", "--output", "out.ply"],
                near_linear),
     "skeleton": (["skeleton", "{mesh}", "--output", "s.swc", "--output", "s.vtp"], near_linear),
     "field height": (["field", "{mesh}", "--type", "height", "--output", "f.txt"], near_linear),

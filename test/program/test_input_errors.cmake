@@ -139,7 +139,7 @@ endfunction()
 
 expect_error_of_curves(
   three_faces_at_an_edge.off "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n"
-  "edge between the vertices 0 and 1 has 3 faces; .*reeb_graph repair --split" --field z)
+  "edge between the vertices 0 and 1 has 3 faces; .*reeb_graph repair --all" --field z)
 expect_error_of_curves(
   two_fans.off "OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n"
   "the faces at vertex 0 form 2 fans" --field x)
@@ -161,7 +161,7 @@ expect_error_of_curves(
   "2 edges are on no face, the first one, of the vertices 1 and 3; without such edges" --field z)
 
 # what else needs one
-foreach(option "--html page.html" "--simplified-scalars scalars.txt;--leaves 2")
+foreach(option "--html page.html --strict" "--simplified-scalars scalars.txt;--leaves 2")
   string(REPLACE " " ";" option "${option}")
   list(GET option 0 name)
   expect_error("${name}.* needs an oriented manifold surface; the edge between" compute three_faces_at_an_edge.off

@@ -138,19 +138,60 @@ expect_repair(mass lost_fields 0 ARGUMENTS fields.ply --merge --output merged.ob
 expect_success(repair fields.ply --merge --output merged.obj)
 expect_match("${output}" "mass is lost")
 
-# merging that makes an edge of three faces says so, and splitting undoes it
+# points are merged where that makes no edge of three faces; within a distance, one is made, and said; splitting undoes it,
+# and keeps a pair
 file(WRITE ${FOLDER}/book.off
-     "OFF\n9 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n1 0 0\n0 0 1\n0 0 0\n1 0 0\n0 -1 0\n3 0 1 2\n3 3 4 5\n3 6 7 8\n")
-expect_repair(1 merged edges_of_many_faces ARGUMENTS book.off --merge --output page.ply)
-expect_repair(0 given edges_of_many_faces ARGUMENTS book.off --merge --output page.ply)
+     "OFF\n9 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n1 0 0\n0 0 1\n0 0 0\n1 0 0\n0 -1 0\n3 0 1 2\n3 4 3 5\n3 6 7 8\n")
+expect_repair(0 merged edges_of_many_faces ARGUMENTS book.off --merge --output page.ply)
+expect_repair(4 unmerged_points ARGUMENTS book.off --merge --output page.ply)
 expect_success(repair book.off --merge --output page.ply)
+expect_match("${output}" "4 points that coincide with others left")
+expect_repair(1 merged edges_of_many_faces ARGUMENTS book.off --merge-within 1e-9 --output page.ply)
+expect_repair(0 given edges_of_many_faces ARGUMENTS book.off --merge-within 1e-9 --output page.ply)
+expect_success(repair book.off --merge-within 1e-9 --output page.ply)
 expect_match("${output}" "1 edge got more than two faces by merging")
-expect_repair(0 result edges_of_many_faces ARGUMENTS page.ply --split --output pages.ply)
-expect_json(3 components ARGUMENTS pages.ply --field z)
-expect_json(9 vertices ARGUMENTS pages.ply --field z)
+expect_repair(1 paired_edges ARGUMENTS page.ply --split --output pages.ply)
+expect_repair(1 unpaired_faces ARGUMENTS page.ply --split --output pages.ply)
+expect_json(2 components ARGUMENTS pages.ply --field z)
+expect_json(7 vertices ARGUMENTS pages.ply --field z)
 # for what needs a surface, the message names the repair
-expect_error("reeb_graph repair --split" handles page.ply)
-expect_repair(3 result vertices ARGUMENTS pages.ply --largest --output largest.ply)
+expect_error("reeb_graph repair --all" handles page.ply --strict)
+expect_repair(4 result vertices ARGUMENTS pages.ply --largest --output largest.ply)
+
+# faces the other way round cancel as often as they are in the file; of a sheet with both sides, one stays
+foreach(case "3 0 1 4\n3 1 0 4\n;2;4" "3 0 1 4\n3 1 0 4\n3 4 1 0\n;1;5" "3 0 1 4\n3 0 1 4\n3 1 0 4\n3 0 4 1\n;2;4")
+  list(GET case 0 faces)
+  string(REGEX MATCHALL "\n" lines "${faces}")
+  list(LENGTH lines number)
+  math(EXPR number "4 + ${number}")
+  file(WRITE ${FOLDER}/fin.off "OFF\n5 ${number} 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 -1 0\n"
+       "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n${faces}")
+  list(GET case 1 cancelled)
+  list(GET case 2 left)
+  expect_repair(${cancelled} cancelled_faces ARGUMENTS fin.off --cancel-opposite --output a.ply)
+  expect_repair(${left} result faces ARGUMENTS fin.off --cancel-opposite --output a.ply)
+endforeach()
+expect_repair(1 sheets ARGUMENTS pillow.off --all --output a.ply)
+expect_repair(1 result faces ARGUMENTS pillow.off --all --output a.ply)
+# both sides of a polygon cancel before it is cut into triangles
+file(WRITE ${FOLDER}/flag.off "OFF\n7 7 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 -1 0\n2 -1 0\n2 0 0\n"
+     "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n4 1 4 5 6\n4 1 6 5 4\n3 0 0 1\n")
+expect_repair(4 result faces ARGUMENTS flag.off --triangulate --all --output a.ply)
+expect_repair(1 result components ARGUMENTS flag.off --triangulate --all --output a.ply --map map.txt)
+file(READ ${FOLDER}/map.txt map)
+expect_equal("${map}" "0\n1\n2\n3\n-1\n-1\n-1\n")
+
+# holes are filled, pieces left out
+file(WRITE ${FOLDER}/open.off "OFF\n8 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n9 0 0\n9.1 0 0\n9 .1 0\n5 5 5\n"
+     "3 0 1 3\n3 1 2 3\n3 0 3 2\n3 4 5 6\n")
+expect_repair(2 filled_borders ARGUMENTS open.off --fill 3 --output a.ply)
+expect_repair(0 filled_borders ARGUMENTS open.off --fill 2 --output a.ply)
+expect_repair(1 small_pieces ARGUMENTS open.off --least-piece 0.01 --fill 3 --output a.ply)
+expect_repair(4 result vertices ARGUMENTS open.off --least-piece 0.01 --fill 3 --output a.ply)
+expect_json(0 border_loops ARGUMENTS a.ply --field z)
+foreach(share -0.1 1.5 nan)
+  expect_error("least share" repair open.off --least-piece ${share} --output a.ply)
+endforeach()
 
 # what is no matter of faces
 file(WRITE ${FOLDER}/tetrahedra.vtk "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"

@@ -12,13 +12,18 @@
 #include "random_meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Points join those that a search through all of them finds, and repaired meshes have what the map says.
@@ -184,13 +189,14 @@ Repair_options options_of(bool is_oriented, bool is_split)
   return options;
 }
 
-// Three faces at an edge, two cones that meet in a vertex, a band of one side.
+// Three faces at an edge, of which two are paired, two cones that meet in a vertex, a band of one side.
 void test_splitting()
 {
   Polygon_soup book = make_soup(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   const Repair_result split = repair_soup(book, options_of(false, true));
   check(split.counts.given.edges_of_many_faces == 1 && split.counts.result.is_surface()
-          && split.counts.result.components == 3 && split.counts.added_points == book.points.size() - 5,
+          && split.counts.result.components == 2 && split.counts.paired_edges == 1 && split.counts.unpaired_sides == 1
+          && split.counts.added_points == book.points.size() - 5,
         "a book is not split");
   for(std::size_t v = 0; v < book.points.size(); ++v)
     check(book.points[v]
@@ -277,6 +283,314 @@ void test_closing(std::size_t seed)
         "the torus of seed " + std::to_string(seed) + " is not closed");
 }
 
+typedef std::vector<std::vector<std::size_t>> Faces;
+
+// A box with corners of its own, whose faces are triangles; they look inside if it is turned.
+void add_box(Polygon_soup& soup, std::array<double, 3> low, std::array<double, 3> high, bool is_turned = false)
+{
+  const std::size_t first = soup.points.size();
+  for(std::size_t i = 0; i < 8; ++i)
+    soup.points.emplace_back(i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]);
+  for(const auto& [a, b, c, d] : std::vector<std::array<std::size_t, 4>>{
+        {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+    for(std::array<std::size_t, 3> t : {std::array<std::size_t, 3>{a, b, c}, std::array<std::size_t, 3>{a, c, d}})
+    {
+      if(is_turned)
+        std::swap(t[1], t[2]);
+      soup.polygons.add(std::array<std::size_t, 3>{first + t[0], first + t[1], first + t[2]});
+    }
+}
+
+// Points at one place become one, whatever that makes of edges.
+void join_all(Polygon_soup& soup)
+{
+  const std::vector<Corner> joined = join_by_search(soup.points, all_of(soup.points), 0);
+  Polygons polygons;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    for(const Corner v : soup.polygons[i])
+      polygons.add_corner(joined[v]);
+    polygons.end_polygon();
+  }
+  soup.polygons = polygons;
+}
+
+Repair_options all_options()
+{
+  Repair_options options;
+  options.are_coinciding_points_merged = options.are_opposite_faces_cancelled = true;
+  options.is_split = options.are_faces_oriented = true;
+  return options;
+}
+
+double signed_volume(const Polygon_soup& soup)
+{
+  double sum = 0;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    const auto at = [&](std::size_t k) { return soup.points[soup.polygons[i].begin()[k]] - CGAL::ORIGIN; };
+    sum += at(0) * CGAL::cross_product(at(1), at(2)) / 6;
+  }
+  return sum;
+}
+
+bool are_equal(const Polygons& a, const Polygons& b)
+{
+  if(a.size() != b.size())
+    return false;
+  for(std::size_t i = 0; i < a.size(); ++i)
+    if(!std::equal(a[i].begin(), a[i].end(), b[i].begin(), b[i].end()))
+      return false;
+  return true;
+}
+
+// Boxes that share an edge are one solid then, whose surface is cut at two midpoints; those that share a corner are two;
+// those with a common face, cut along one diagonal, are one box; and cut along the other one, a box and a flat pillow.
+void test_boxes()
+{
+  Polygon_soup beside;
+  add_box(beside, {0, 0, 0}, {1, 1, 1});
+  add_box(beside, {1, 1, 0}, {2, 2, 1});
+  join_all(beside);
+  const Repair_result at_edge = repair_soup(beside, all_options());
+  check(at_edge.counts.paired_edges == 1 && at_edge.counts.added_midpoints == 2 && at_edge.counts.unpaired_sides == 0
+          && at_edge.counts.result.is_surface() && at_edge.counts.result.border_edges == 0
+          && at_edge.counts.result.components == 1 && at_edge.counts.result.euler_characteristic() == 2
+          && std::abs(signed_volume(beside) - 2) < 1e-12,
+        "boxes with a common edge are no solid");
+  Polygon_soup touching;
+  add_box(touching, {0, 0, 0}, {1, 1, 1});
+  add_box(touching, {1, 1, 1}, {2, 2, 2});
+  Polygon_soup apart = touching;
+  check(repair_soup(apart, all_options()).counts.unmerged_points == 1 && apart.points.size() == 16,
+        "boxes that touch in a corner are merged there");
+  join_all(touching);
+  const Repair_result at_corner = repair_soup(touching, all_options());
+  check(at_corner.counts.added_points == 1 && at_corner.counts.result.is_surface(), "a corner is not split");
+  for(const bool is_same : {true, false})
+  {
+    Polygon_soup pressed;
+    add_box(pressed, {0, 0, 0}, {1, 1, 1});
+    if(is_same)
+      add_box(pressed, {1, 0, 0}, {2, 1, 1});
+    else
+      add_box(pressed, {1, 1, 0}, {2, 0, 1}, true); // seen in a mirror
+    join_all(pressed);
+    Repair_options options = all_options();
+    options.least_share = 1e-6;
+    const Repair_result result = repair_soup(pressed, options);
+    check(result.counts.result.components == 1 && result.counts.result.is_surface()
+            && result.counts.result.border_edges == 0 && result.counts.result.euler_characteristic() == 2
+            && std::abs(signed_volume(pressed) - 2) < 1e-12 && result.counts.cancelled_faces == (is_same ? 4u : 0u)
+            && result.counts.pieces_without_volume == (is_same ? 0u : 1u),
+          "boxes with a common face are not one");
+  }
+}
+
+// A cavity stays, and so does what it lies in, whatever is outside; what is inside out elsewhere goes, and a fleck.
+void test_pieces()
+{
+  Polygon_soup soup;
+  add_box(soup, {0, 0, 0}, {10, 10, 10});
+  add_box(soup, {4, 4, 4}, {6, 6, 6}, true);
+  add_box(soup, {20, 0, 0}, {23, 3, 3}, true);
+  add_box(soup, {30, 0, 0}, {33, 3, 3});
+  add_box(soup, {40, 0, 0}, {40.1, 0.1, 0.1});
+  Polygon_soup turned = soup;
+  Repair_options options;
+  options.least_share = 1e-3;
+  const Repair_result result = repair_soup(soup, options);
+  check(result.counts.small_pieces == 1 && result.counts.pieces_without_volume == 1
+          && result.counts.faces_of_pieces == 24 && result.counts.result.components == 3 && soup.points.size() == 24
+          && std::abs(signed_volume(soup) - (1000 - 8 + 27)) < 1e-9,
+        "other pieces are left out");
+  check(std::count(result.new_vertices.begin(), result.new_vertices.end(), no_vertex) == 16,
+        "the map of pieces is wrong");
+  Polygons polygons;
+  for(std::size_t i = 0; i < turned.polygons.size(); ++i)
+    polygons.add(std::array<Corner, 3>{turned.polygons[i].begin()[0], turned.polygons[i].begin()[2],
+                                       turned.polygons[i].begin()[1]});
+  turned.polygons = polygons;
+  check(repair_soup(turned, options).new_vertices == result.new_vertices, "a mesh that is inside out has other pieces");
+}
+
+// By definition: of each triple of corners, one copy stays if there are more one way round, unless nothing of a component
+// would stay.
+void test_cancelling(std::size_t seed)
+{
+  Random random(seed);
+  Polygon_soup soup;
+  for(std::size_t v = 0; v < 9; ++v)
+    soup.points.emplace_back(double(random.below(100)), double(random.below(100)), double(random.below(100)));
+  std::map<std::array<std::size_t, 3>, int> sums;
+  const std::size_t number = 1 + random.below(16), many = 4 + random.below(6);
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    std::array<std::size_t, 3> t = {random.below(many), random.below(many), random.below(many)};
+    if(t[0] == t[1] || t[1] == t[2] || t[0] == t[2])
+      continue;
+    for(std::size_t copies = 1 + random.below(3); copies > 0; --copies)
+    {
+      std::rotate(t.begin(), t.begin() + 1, t.end());
+      if(random.below(3) == 0)
+        std::swap(t[0], t[1]);
+      soup.polygons.add(t);
+      std::array<std::size_t, 3> sorted = t;
+      std::sort(sorted.begin(), sorted.end());
+      const bool is_even = (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2;
+      sums[sorted] += is_even ? 1 : -1;
+    }
+  }
+  std::vector<std::size_t> labels(9);
+  std::iota(labels.begin(), labels.end(), std::size_t(0));
+  for(int turn = 0; turn < 9; ++turn)
+    for(const auto& [t, sum] : sums)
+      for(const std::size_t v : t)
+        labels[v] = std::min({labels[t[0]], labels[t[1]], labels[t[2]]});
+  std::map<std::size_t, bool> is_anything_left;
+  for(const auto& [t, sum] : sums)
+    is_anything_left[labels[t[0]]] |= sum != 0;
+  std::map<std::array<std::size_t, 3>, int> left;
+  for(const auto& [t, sum] : sums)
+    if(sum != 0 || !is_anything_left[labels[t[0]]])
+      left[t] = sum > 0 ? 1 : sum < 0 ? -1 : 0; // 0: either side
+  Input_findings unused;
+  leave_out_repeated_faces(soup, unused);
+  Repair_options options;
+  options.are_opposite_faces_cancelled = true;
+  const Repair_result result = repair_soup(soup, options);
+  std::size_t sheets = 0;
+  for(const auto& [label, is_left] : is_anything_left)
+    sheets += is_left ? 0 : 1;
+  bool is_right = soup.polygons.size() == left.size() && result.counts.sheets == sheets;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    std::array<std::size_t, 3> t;
+    for(std::size_t k = 0; k < 3; ++k)
+      t[k] = result.old_vertices[soup.polygons[i].begin()[k]];
+    std::array<std::size_t, 3> sorted = t;
+    std::sort(sorted.begin(), sorted.end());
+    const int sign = (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2 ? 1 : -1;
+    const auto found = left.find(sorted);
+    is_right = is_right && found != left.end() && (found->second == 0 || found->second == sign);
+  }
+  check(is_right, "other faces are cancelled with seed " + std::to_string(seed));
+}
+
+// Any faces on few places, all of them on top of each other: the result is a surface, of what was there, where the map says.
+void test_anything(std::size_t seed)
+{
+  Random random(seed);
+  Polygon_soup soup;
+  const std::size_t number_of_points = 4 + random.below(12), width = 2 + random.below(3);
+  for(std::size_t v = 0; v < number_of_points; ++v)
+    soup.points.emplace_back(double(random.below(width)), double(random.below(width)), double(random.below(width)));
+  for(std::size_t i = 1 + random.below(40); i > 0; --i)
+    soup.polygons.add(std::array<std::size_t, 3>{random.below(number_of_points), random.below(number_of_points),
+                                                 random.below(number_of_points)});
+  Input_findings unused;
+  leave_out_degenerate_faces(soup.polygons, unused);
+  leave_out_repeated_faces(soup, unused);
+  const Polygon_soup given = soup;
+  Repair_options options = all_options();
+  options.are_opposite_faces_cancelled = random.below(2) == 0;
+  options.are_coinciding_points_merged = random.below(2) == 0;
+  options.most_filled_edges = random.below(2) == 0 ? 0 : 3 + random.below(6);
+  const Repair_result result = repair_soup(soup, options);
+  const std::string name = " with seed " + std::to_string(seed);
+  check(result.counts.result.is_surface(), "there is no surface" + name);
+  bool is_right = result.new_vertices.size() == given.points.size() && result.old_vertices.size() == soup.points.size();
+  for(std::size_t v = 0; is_right && v < given.points.size(); ++v)
+    if(const std::size_t now = result.new_vertices[v]; now != no_vertex)
+      is_right = soup.points[now] == given.points[v] && result.old_vertices[now] <= v
+              && given.points[result.old_vertices[now]] == given.points[v];
+  check(is_right, "the map is wrong" + name);
+  if(options.most_filled_edges > 0)
+    return check(std::all_of(soup.points.begin(), soup.points.end(), [](const Point& p) { return p.x() == p.x(); }),
+                 "a point is none" + name);
+  Polygon_soup again = soup;
+  const Repair_result second = repair_soup(again, options);
+  check(are_equal(again.polygons, soup.polygons) && again.points == soup.points,
+        "a second repair changes something" + name);
+  const auto area_of = [](const Polygon_soup& of) {
+    double sum = 0;
+    for(std::size_t i = 0; i < of.polygons.size(); ++i)
+    {
+      const auto at = [&](std::size_t k) { return of.points[of.polygons[i].begin()[k]]; };
+      sum += std::sqrt(CGAL::cross_product(at(1) - at(0), at(2) - at(0)).squared_length());
+    }
+    return sum;
+  };
+  const double area = area_of(soup), area_before = area_of(given);
+  if(!options.are_opposite_faces_cancelled && result.counts.faces_repeated_by_merging == 0)
+    check(std::abs(area - area_before) < 1e-9 * (1 + area), "area is lost" + name);
+}
+
+// What merging may do: no edge of several given ones has more than two faces, no point has new fans; and what was cut apart
+// along all its edges is whole again.
+void test_merging_anywhere(std::size_t seed)
+{
+  Random random(seed);
+  const auto mesh =
+    random.below(2) == 0 ? random_meshes::seven_vertex_torus() : random_meshes::bipyramid(3 + random.below(9));
+  std::vector<Point> places;
+  for(std::size_t v = 0; v < mesh.number_of_vertices; ++v)
+    places.emplace_back(double(v), double(v * v), double(v * v * v));
+  Polygon_soup soup;
+  for(const auto& t : mesh.triangles)
+  {
+    for(const std::size_t v : t)
+    {
+      soup.polygons.add_corner(soup.points.size());
+      soup.points.push_back(places[v]);
+    }
+    soup.polygons.end_polygon();
+  }
+  Repair_options options;
+  options.are_coinciding_points_merged = true;
+  Polygon_soup whole = soup;
+  const Repair_result merged = repair_soup(whole, options);
+  check(whole.points.size() == mesh.number_of_vertices && merged.counts.unmerged_points == 0
+          && merged.counts.result.border_edges == 0 && merged.counts.result.is_surface(),
+        "what was cut apart is not whole again with seed " + std::to_string(seed));
+  for(Point& p : soup.points) // now at the places of others
+    if(random.below(6) == 0)
+      p = soup.points[random.below(soup.points.size())];
+  const Polygon_soup given = soup;
+  const Repair_result result = repair_soup(soup, options);
+  check(result.counts.result.edges_of_many_faces == 0 && result.counts.result.vertices_of_several_fans == 0,
+        "merging makes what is no surface with seed " + std::to_string(seed));
+  std::set<std::array<double, 3>> different;
+  for(const Point& p : soup.points)
+    different.insert({p.x(), p.y(), p.z()});
+  check(result.counts.unmerged_points == soup.points.size() - different.size(),
+        "points that are left are counted wrongly");
+}
+
+// Holes in closed surfaces are filled, and those of more edges stay.
+void test_filling(std::size_t seed)
+{
+  Random random(seed);
+  const auto mesh =
+    random.below(2) == 0 ? random_meshes::seven_vertex_torus() : random_meshes::bipyramid(3 + random.below(9));
+  Faces faces;
+  for(const auto& t : mesh.triangles)
+    if(random.below(4) != 0)
+      faces.push_back({t[0], t[1], t[2]});
+  Polygon_soup soup = make_soup(mesh.number_of_vertices, faces);
+  Repair_options options = options_of(true, true);
+  options.most_filled_edges = 100;
+  const Repair_result result = repair_soup(soup, options);
+  check(result.counts.result.border_edges == 0 && result.counts.result.is_surface(),
+        "holes are not filled with seed " + std::to_string(seed));
+  for(std::size_t i = 0; i < faces.size(); ++i)
+    for(std::size_t k = 0; k < 3; ++k)
+      check(result.old_vertices[soup.polygons[i].begin()[k]] == faces[i][k], "faces change where holes are filled");
+  Polygon_soup open = make_soup(5, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
+  options.most_filled_edges = 4;
+  check(repair_soup(open, options).counts.filled_borders == 0 && open.polygons.size() == 3, "a long border is filled");
+}
+
 } // namespace
 
 int main()
@@ -288,7 +602,16 @@ int main()
   test_chain();
   test_extreme_numbers();
   test_wrong_distances();
+  for(std::size_t seed = 0; seed < 3000; ++seed)
+  {
+    test_cancelling(seed);
+    test_anything(seed);
+    test_merging_anywhere(seed);
+    test_filling(seed);
+  }
   test_splitting();
   test_merging();
+  test_boxes();
+  test_pieces();
   return number_of_faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
