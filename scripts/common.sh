@@ -62,5 +62,5 @@ packages_of_python=(pybind11-dev python3-pybind11 python3-numpy python3-pytest p
 # With these, scripts/check compiles the headers with another standard library.
 packages_of_libcxx=(clang libc++-dev libc++abi-dev)
 # scripts/web compiles the program for web browsers with these.
-packages_of_web=(emscripten node-acorn libfast-float-dev)
+packages_of_web=(emscripten node-acorn libfast-float-dev python3 bzip2 xz-utils)
 packages_of_tests=("${packages_of_program[@]}" doxygen libgudhi-dev python3 "${packages_of_python[@]}")
