@@ -5,7 +5,7 @@
 #include <CGAL/Reeb_graph/IO/svg.h>
 #include <CGAL/Reeb_graph/plane_layout.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
-#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/embed.h>
-#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <cstdint>

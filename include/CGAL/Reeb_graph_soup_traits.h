@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
+#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 namespace CGAL {

@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/complex/flatten_soup.h>
+#include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>

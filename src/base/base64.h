@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_BASE64_H
 #define CGAL_REEB_GRAPH_SRC_BASE64_H
 
-#include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
+#include <CGAL/Reeb_graph/IO/vtp.h>
 
 #include <boost/endian/conversion.hpp>
 

@@ -12,12 +12,11 @@
 #include "base/Arc_table.h"
 #include "base/input_findings.h"
 
-#include <CGAL/Reeb_graph/curves/Level_cut_report.h>
-#include <CGAL/Reeb_graph/fields/Field_report.h>
+#include <CGAL/Reeb_graph/curves/Curve.h>
+#include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/options.h>
-#include <CGAL/Reeb_graph/simplification/Simplification_threshold.h>
-#include <CGAL/Reeb_graph/visitor.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <array>
 #include <cstddef>

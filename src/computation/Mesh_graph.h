@@ -16,7 +16,7 @@
 #include "base/surface.h"
 #include "computation/simplification.h"
 
-#include <CGAL/Reeb_graph/Embedding.h>
+#include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/options.h>
 #include <CGAL/boost/graph/iterator.h>
 

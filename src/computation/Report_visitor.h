@@ -12,7 +12,7 @@
 #include "base/report.h"
 #include "base/stopwatch.h"
 
-#include <CGAL/Reeb_graph/visitor.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <boost/graph/graph_traits.hpp>
 

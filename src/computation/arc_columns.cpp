@@ -8,8 +8,8 @@
 
 #include "computation/arc_columns.h"
 
-#include <CGAL/Reeb_graph/internal/base/Weighted_mean.h>
-#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 #include "base/Arc_table.h"
 #include "base/surface.h"
 
-#include <CGAL/Reeb_graph/simplification/Simplification.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <cstddef>
 #include <cstdint>

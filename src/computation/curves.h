@@ -12,7 +12,7 @@
 #include "base/options.h"
 #include "base/surface.h"
 
-#include <CGAL/Reeb_graph/curves/Level_cut_report.h>
+#include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 
 #include <array>

@@ -10,8 +10,8 @@
 
 #include "computation/simplification.h"
 
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
-#include <CGAL/Reeb_graph/internal/base/union_find.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>

@@ -13,9 +13,9 @@
 #include "base/surface.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/simplification/Simplification.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -11,7 +11,7 @@
 
 #include "input/input_error.h"
 
-#include <CGAL/Reeb_graph/internal/io/read_number.h>
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <algorithm>
 #include <cctype>

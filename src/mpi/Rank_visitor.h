@@ -13,7 +13,7 @@
 #include "base/stopwatch.h"
 #include "computation/Report_visitor.h"
 
-#include <CGAL/Reeb_graph/visitor.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <ctime>
 #include <string>

@@ -23,7 +23,7 @@
 
 #include <CGAL/Reeb_graph/distributed/compute_reeb_graph_distributed.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
-#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 
 #include <boost/mpi/collectives.hpp>
 #include <boost/range/irange.hpp>

@@ -12,8 +12,8 @@
 
 #include <CGAL/IO/OFF.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
+#include <CGAL/Reeb_graph/IO/vtp.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
-#include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <array>

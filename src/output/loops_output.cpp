@@ -11,7 +11,7 @@
 #include "output/output_file.h"
 #include "output/polylines_output.h"
 
-#include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
+#include <CGAL/Reeb_graph/IO/vtp.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <cstdint>

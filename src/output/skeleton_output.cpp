@@ -11,7 +11,7 @@
 #include "output/output_file.h"
 
 #include <CGAL/Reeb_graph/IO/polylines.h>
-#include <CGAL/Reeb_graph/internal/io/Vtp_document.h>
+#include <CGAL/Reeb_graph/IO/vtp.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <cstddef>

@@ -11,8 +11,7 @@
 #include "computation/arc_columns.h"
 #include "computation/simplification.h"
 
-#include <CGAL/Reeb_graph/simplification/Simplification.h>
-#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/boost/graph/iterator.h>
 

@@ -17,7 +17,7 @@
 
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
-#include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 
 #include <boost/mpl/list.hpp>
 

@@ -17,7 +17,6 @@
 #include <CGAL/Reeb_graph/IO.h>
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
-#include <CGAL/Reeb_graph/internal/io/read_number.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 

@@ -13,7 +13,7 @@
 #include "random_meshes.h"
 
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
-#include <CGAL/Reeb_graph/fields/internal/iterate.h>
+#include <CGAL/Reeb_graph/fields/internal/Dirichlet_problem.h>
 #include <CGAL/Reeb_graph/fields/internal/solve.h>
 
 #include <algorithm>

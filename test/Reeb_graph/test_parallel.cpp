@@ -17,7 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/mpl/list.hpp>

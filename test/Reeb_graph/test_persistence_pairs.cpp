@@ -12,7 +12,7 @@
 #include "persistence_oracle.h"
 #include "random_graphs.h"
 
-#include <CGAL/Reeb_graph/internal/graph/Link_cut_forest.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
 #include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 

@@ -16,7 +16,7 @@
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/cut_along_contours.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
-#include <CGAL/Reeb_graph/curves/internal/Refined_field.h>
+#include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/curves/segmentation.h>
 #include <CGAL/Reeb_graph/curves/unfold_multi_saddles.h>

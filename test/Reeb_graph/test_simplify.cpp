@@ -13,8 +13,8 @@
 #include "random_graphs.h"
 #include "simplification_oracle.h"
 
-#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <algorithm>

@@ -15,7 +15,6 @@
 #include "tube_samples.h"
 #include "voxel_solids.h"
 
-#include <CGAL/Reeb_graph/internal/space/Closed_triangles.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>

@@ -11,7 +11,7 @@
 #include "graph_checks.h"
 #include "random_complexes.h"
 
-#include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/IO.h>
-#include <CGAL/Reeb_graph/IO/read_graphml.h>
+#include <CGAL/Reeb_graph/IO/graphml.h>
 #include <CGAL/Reeb_graph/IO/svg.h>
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/curves/cutting_system.h>
@@ -16,8 +16,8 @@
 #include <CGAL/Reeb_graph/fields/height_field.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/plane_layout.h>
-#include <CGAL/Reeb_graph/simplification/arc_persistences.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Reeb_graph/simplification/simplify_field.h>
 #include <CGAL/Simple_cartesian.h>

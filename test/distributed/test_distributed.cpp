@@ -17,9 +17,9 @@
 #include "random_fields.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
-#include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
 #include <CGAL/Reeb_graph/distributed/internal/Vertex_numbering.h>
 #include <CGAL/Reeb_graph/distributed/internal/distribute_surface.h>
+#include <CGAL/Reeb_graph/distributed/internal/solve_slab.h>
 
 #include <boost/test/unit_test.hpp>
 

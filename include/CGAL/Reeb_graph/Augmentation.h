@@ -15,11 +15,10 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
+#include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
 #include <CGAL/Reeb_graph/internal/way_back/vertex_places.h>
 #include <CGAL/Reeb_graph/named_parameters.h>

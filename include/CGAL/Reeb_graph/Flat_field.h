@@ -13,9 +13,9 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -16,9 +16,7 @@
 #include <CGAL/Reeb_graph/IO/graphml.h>
 #include <CGAL/Reeb_graph/IO/graphviz.h>
 #include <CGAL/Reeb_graph/IO/json.h>
-#include <CGAL/Reeb_graph/IO/obj.h>
 #include <CGAL/Reeb_graph/IO/polylines.h>
-#include <CGAL/Reeb_graph/IO/read_graphml.h>
 #include <CGAL/Reeb_graph/IO/vtp.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph_traits.h>

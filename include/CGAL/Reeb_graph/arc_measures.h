@@ -11,12 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Weighted_mean.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/boost/graph/iterator.h>

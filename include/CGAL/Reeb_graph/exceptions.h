@@ -294,6 +294,26 @@ public:
 
 /// @}
 
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown by `simplify_field()` if it finds no field that has the simplified graph with `Ties::PERTURB`: because
+/// of a border or a hidden handle in a removed piece, or for want of numbers. The message names the way out,
+/// `Ties::CONTRACT`.
+class Perturbed_ties_error : public Error
+{
+public:
+  /// constructs the exception.
+  explicit Perturbed_ties_error(const std::string& reason)
+    : Error(reason + "; with ties(Ties::CONTRACT), there always is a simplified field")
+  {}
+
+  /// constructs the exception for the vertex at position `vertex`, which there is no number for.
+  explicit Perturbed_ties_error(std::size_t vertex)
+    : Perturbed_ties_error("there are too few numbers next to a saddle to give vertex " + std::to_string(vertex)
+                           + " one")
+  {}
+};
+
 } // namespace CGAL::Reeb_graph
 
 #endif // CGAL_REEB_GRAPH_EXCEPTIONS_H

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/union_find.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -11,14 +11,83 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <functional>
+#include <iterator>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
+
+namespace CGAL::Reeb_graph::internal {
+
+// Whether get_parameter() has found a named parameter, by the type that it returns.
+template <class Parameter>
+inline constexpr bool is_given = !std::is_same_v<std::decay_t<Parameter>, internal_np::Param_not_found>;
+
+// Whether an argument is a sequence of named parameters.
+template <class T, class Tag, class Base>
+std::true_type test_named_parameters(const Named_function_parameters<T, Tag, Base>*);
+std::false_type test_named_parameters(const void*);
+
+template <class T>
+inline constexpr bool are_named_parameters = decltype(test_named_parameters(std::declval<const T*>()))::value;
+
+// The traits class: the named parameter geom_traits, or else the default.
+template <class Default, class NamedParameters>
+auto choose_traits(const NamedParameters& np)
+{
+  return parameters::choose_parameter<Default>(parameters::get_parameter(np, internal_np::geom_traits));
+}
+
+template <class Default, class NamedParameters>
+using Chosen_traits = decltype(choose_traits<Default>(std::declval<const NamedParameters&>()));
+
+// A parameter that may be given by value or as std::reference_wrapper.
+template <class T>
+T& unwrap_reference(T& parameter)
+{
+  return parameter;
+}
+
+template <class T>
+T& unwrap_reference(std::reference_wrapper<T>& parameter)
+{
+  return parameter;
+}
+
+// The named parameter `vertex_point_map`, or the points of the mesh.
+template <class FaceGraph, class NamedParameters>
+auto choose_point_map(const FaceGraph& mesh, const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, mesh));
+}
+
+template <class FaceGraph, class NamedParameters>
+using Point_of_mesh = typename boost::property_traits<std::decay_t<
+  decltype(choose_point_map(std::declval<const FaceGraph&>(), std::declval<const NamedParameters&>()))>>::value_type;
+
+// The points of a range for vertices that are numbers. It throws Attribute_count_error unless there is one for each.
+template <class PointRange>
+auto checked_point_map(const PointRange& points, std::size_t number_of_vertices)
+{
+  const auto number_of_points = static_cast<std::size_t>(std::end(points) - std::begin(points));
+  if(number_of_points != number_of_vertices)
+    throw Attribute_count_error("points", number_of_points, number_of_vertices);
+  return boost::make_iterator_property_map(std::begin(points), boost::typed_identity_property_map<std::size_t>());
+}
+
+} // namespace CGAL::Reeb_graph::internal
 
 // The named parameters of the package's own; their documentation is in the list `PkgReebGraphNamedParameters`.
 

@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
@@ -59,6 +60,19 @@ struct Candidate_curve
   /// measured by the number of edges of the chains. For a branch, 0 is where it is attached and 1 is its tip. Else the
   /// direction is not specified.
   double position = 0;
+};
+
+/// \ingroup PkgReebGraphCurves
+///
+/// \brief what `cut_along_levels()` has done to a mesh.
+struct Level_cut_report
+{
+  std::size_t number_of_levels = 0;         ///< the number of different levels
+  std::size_t number_of_added_vertices = 0; ///< the number of points at which edges have been split
+  std::size_t number_of_added_faces = 0;    ///< the number of faces that are there more than before
+  /// the number of faces at added vertices that are slivers: the height on the longest edge is less than a hundredth of
+  /// this edge. Some may have no area, where the point of a level is rounded to a vertex.
+  std::size_t number_of_slivers = 0;
 };
 
 } // namespace CGAL::Reeb_graph

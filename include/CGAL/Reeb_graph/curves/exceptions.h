@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <cstddef>
 #include <string>

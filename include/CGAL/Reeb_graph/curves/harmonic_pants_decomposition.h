@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H
 #define CGAL_REEB_GRAPH_CURVES_HARMONIC_PANTS_DECOMPOSITION_H
 
-#include <CGAL/Reeb_graph/curves/internal/requirements.h>
+#include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>

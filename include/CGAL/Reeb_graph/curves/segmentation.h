@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/branch_curves.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
-#include <CGAL/Reeb_graph/curves/internal/requirements.h>
 #include <CGAL/Reeb_graph/curves/pants_decomposition.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 

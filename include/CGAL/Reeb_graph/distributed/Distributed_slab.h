@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
+#include <CGAL/Reeb_graph/distributed/internal/solve_slab.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 
 #include <cstddef>

@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/component_vertices.h>
 #include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>

@@ -11,11 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/Triangle_geometry.h>
-#include <CGAL/Reeb_graph/fields/internal/component_vertices.h>
 #include <CGAL/Reeb_graph/fields/internal/constraints.h>
 #include <CGAL/Reeb_graph/fields/internal/differential_operators.h>
 #include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>

@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
-#include <CGAL/Reeb_graph/internal/space/triangle_intersections.h>
+#include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 
 // With the library, there is no need to read how holes are filled.
 #ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED

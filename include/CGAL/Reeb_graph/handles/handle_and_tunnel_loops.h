@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>

@@ -12,15 +12,14 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
-#include <CGAL/Reeb_graph/handles/Handle_removal.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Handle_remover.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/simplification/exceptions.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>

@@ -11,16 +11,297 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
+#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/simplification/Simplification.h>
-#include <CGAL/Reeb_graph/simplification/internal/prune_graph.h>
-#include <CGAL/Reeb_graph/simplification/internal/write_simplified_graph.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace CGAL::Reeb_graph {
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief the way from a Reeb graph to its simplified graph: for each node and each arc the node or arc of the
+/// simplified graph that has taken it up.
+///
+/// It is made by `simplify()`. As a property map, it has the nodes of the graph that has been simplified as keys:
+/// `get(simplification, node)`. Copies share their memory. It holds copies of the arc descriptors of the simplified
+/// graph, which must not lose arcs as long as it is used. Given to `Augmentation` as named parameter `simplification`,
+/// it leads from the vertices of the mesh to the simplified graph.
+///
+/// \tparam ReebGraph the type of both graphs
+///
+/// \cgalModels{ReadablePropertyMap}
+template <class ReebGraph>
+class Simplification
+{
+public:
+  typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor; ///< a node
+  typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor; ///< an arc of the simplified graph
+
+  /// a node or an arc: `std::holds_alternative<arc_descriptor>(place)`, `std::get<arc_descriptor>(place)`
+  typedef std::variant<node_descriptor, arc_descriptor> Place;
+
+  typedef node_descriptor key_type;                  ///< the key type
+  typedef Place value_type;                          ///< the value type
+  typedef Place reference;                           ///< the same
+  typedef boost::readable_property_map_tag category; ///< the category
+
+  /// returns what has taken up the node `node` of the graph that has been simplified: itself, if it is still there.
+  ///
+  /// \exception Graph_mismatch_error if there was no such node
+  Place operator[](node_descriptor node) const { return place(index_of_node(node)); }
+
+  /// returns what has taken up the arc number `i` of the graph that has been simplified, in the order of its `edges()`.
+  ///
+  /// \exception Graph_mismatch_error if there was no such arc
+  Place place_of_arc(std::size_t i) const { return place(index_of_arc(i)); }
+
+  /// returns the number of what has taken up a node: nodes of the simplified graph are numbered from 0 by their
+  /// descriptors, arcs behind the last node, in the order of `edges()`. These are the numbers of `Vertex_places`.
+  ///
+  /// \exception Graph_mismatch_error if there was no such node
+  std::size_t index_of_node(node_descriptor node) const
+  {
+    if(!(node < places_->number_of_old_nodes))
+      throw Graph_mismatch_error("the node is not one of the graph");
+    return places_->new_places[node];
+  }
+
+  /// returns the number of what has taken up the arc number `i`, in the order of `edges()`.
+  ///
+  /// \exception Graph_mismatch_error if there was no such arc
+  std::size_t index_of_arc(std::size_t i) const
+  {
+    if(i >= places_->new_places.size() - places_->number_of_old_nodes)
+      throw Graph_mismatch_error("the arc is not one of the graph");
+    return places_->new_places[places_->number_of_old_nodes + i];
+  }
+
+  /// returns the number of nodes of the graph that has been simplified.
+  std::size_t number_of_old_nodes() const { return places_->number_of_old_nodes; }
+
+  /// returns the number of arcs of the graph that has been simplified.
+  std::size_t number_of_old_arcs() const { return places_->new_places.size() - places_->number_of_old_nodes; }
+
+  /// returns what has taken up a node.
+  friend Place get(const Simplification& simplification, node_descriptor node) { return simplification[node]; }
+
+#ifndef DOXYGEN_RUNNING
+  // By place in the old graph, the place in the new one.
+  Simplification(std::size_t number_of_old_nodes,
+                 std::size_t number_of_new_nodes,
+                 std::vector<internal::Index> new_places,
+                 std::vector<arc_descriptor> new_arcs)
+    : places_(std::make_shared<const Places>(
+      Places{number_of_old_nodes, number_of_new_nodes, std::move(new_places), std::move(new_arcs)}))
+  {}
+#endif
+
+private:
+  struct Places
+  {
+    std::size_t number_of_old_nodes, number_of_new_nodes;
+    std::vector<internal::Index> new_places;
+    std::vector<arc_descriptor> new_arcs;
+  };
+
+  Place place(std::size_t place) const
+  {
+    if(place < places_->number_of_new_nodes)
+      return node_descriptor(place);
+    return places_->new_arcs[place - places_->number_of_new_nodes];
+  }
+
+  std::shared_ptr<const Places> places_;
+};
+
+/// \ingroup PkgReebGraphSimplification
+///
+/// \brief a threshold of persistence that separates noise from features, and the graph that `simplify()` gives with it.
+struct Simplification_threshold
+{
+  double threshold;   ///< the middle of a gap between two persistences, on a logarithmic scale
+  double gap;         ///< the least persistence above the gap, divided by the greatest one below
+  std::size_t nodes;  ///< of the simplified graph
+  std::size_t leaves; ///< the nodes of the simplified graph with a single arc
+  std::size_t loops;  ///< the independent loops of the simplified graph
+  bool is_suggested;  ///< whether this is the best one
+};
+
+} // namespace CGAL::Reeb_graph
+
+namespace CGAL::Reeb_graph::internal {
+
+// Ranks of arcs in the order of lower nodes, from below, and then of upper nodes, from above.
+inline std::vector<Index> rank_arcs(const Leaf_pruning& graph, std::vector<Index> arcs)
+{
+  std::sort(arcs.begin(), arcs.end(), [&](Index a, Index b) {
+    return std::make_tuple(graph.arc(a).lower, graph.arc(b).upper, a)
+         < std::make_tuple(graph.arc(b).lower, graph.arc(a).upper, b);
+  });
+  std::vector<Index> ranks(graph.number_of_arcs(), no_index);
+  for(Index i = 0; i != arcs.size(); ++i)
+    ranks[arcs[i]] = i;
+  return ranks;
+}
+
+// Removes one side of each loop that `is_small(split saddle, join saddle)` names and that has a single arc on this
+// side. The arc is taken up by the lowest one of the other side. Returns whether there has been such a loop. As for
+// pairs, a forest is maximal by lower ends; as no other loop has passed the arc by then, the other loops keep their
+// nodes.
+template <class IsSmall>
+bool remove_small_loops(Leaf_pruning& graph, const IsSmall& is_small)
+{
+  bool is_changed = false;
+  std::vector<bool> is_left(graph.number_of_arcs());
+  for(Index arc = 0; arc != graph.number_of_arcs(); ++arc)
+    is_left[arc] = graph.is_left(graph.place_of_arc(arc));
+  const std::vector<Index> arcs =
+    core_arcs(graph.number_of_nodes(), std::move(is_left), [&](Index arc) { return graph.arc(arc); });
+  const std::vector<Index> ranks = rank_arcs(graph, arcs);
+  Highest_forest forest(checked_index(2 * std::size_t(graph.number_of_nodes())) / 2);
+  for(const Index arc : arcs)
+  {
+    const auto [lower, upper] = graph.arc(arc);
+    const auto cycle = forest.add({lower, upper, ranks[arc], arc});
+    if(cycle.leaving == no_index)
+      continue;
+    const auto [split, join] = graph.arc(cycle.leaving);
+    if(join != upper || !is_small(split, join))
+      continue;
+    const bool is_other_known = cycle.lowest_other != cycle.leaving;
+    const Index owner = is_other_known               ? graph.place_of_arc(cycle.lowest_other)
+                      : graph.out_degree(split) == 2 ? graph.place_of_arc(graph.other_arc_above(split, cycle.leaving))
+                                                     : split;
+    graph.remove_arc(cycle.leaving, owner);
+    is_changed = true;
+  }
+  return is_changed;
+}
+
+// The graph without its small branches and, if asked for, loops; see simplify().
+template <class Branch, class ReebGraph, class NamedParameters>
+Leaf_pruning prune_graph(const ReebGraph& graph, double threshold, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  if(!(threshold >= 0))
+    throw Parameter_error("the threshold of simplification is negative or not a number (NaN)");
+  const std::size_t leaves = choose_parameter(get_parameter(np, number_of_leaves), std::size_t(0));
+  const bool are_loops_cancelled = choose_parameter(get_parameter(np, cancel_loops), false);
+
+  Leaf_pruning pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
+                      read_place_weights(num_vertices(graph) + num_edges(graph), np));
+  const std::vector<double> values = numbers_of_nodes(graph, np);
+  const auto difference = [&](Index lower, Index upper) { return persistence(values[lower], values[upper]); };
+  const auto measure = [&](const Leaf_arc& arc) {
+    const double persistence = persistence_of_leaf_arc(arc, difference);
+    const double size = measure_of_branch(Branch{arc.leaf, arc.saddle, arc.is_minimum, persistence, arc.weight}, np);
+    return size < threshold || std::isinf(threshold) ? size : std::numeric_limits<double>::quiet_NaN();
+  };
+  const auto prune = [&] { pruned(measure, [&](Index, double) { return pruned.number_of_leaves() > leaves; }); };
+  prune();
+  const auto is_small = [&](Index split, Index join) { return difference(split, join) < threshold; };
+  while(are_loops_cancelled && remove_small_loops(pruned, is_small))
+    prune();
+  return pruned;
+}
+
+// The chains of arcs that have been joined, one behind the other; an arc that has stayed as it was keeps its chain.
+template <class ReebGraph>
+auto join_chains(const ReebGraph& graph,
+                 const std::vector<typename boost::graph_traits<ReebGraph>::edge_descriptor>& graph_arcs,
+                 const Leaf_pruning& pruned,
+                 const std::vector<Index>& arcs)
+{
+  typedef std::decay_t<decltype(graph[graph_arcs.front()].chain)> Chain;
+  const auto chain_of = [&](Index arc) -> const Chain& { return graph[graph_arcs[arc]].chain; };
+  std::vector<typename Chain::value_type> halfedges;
+  std::vector<std::pair<std::size_t, std::size_t>> parts; // by arc, of the halfedges; empty for one that has stayed
+  for(const Index arc : arcs)
+  {
+    std::size_t number_of_pieces = 0;
+    pruned.for_each_piece(arc, [&](Index) { ++number_of_pieces; });
+    const std::size_t begin = halfedges.size();
+    if(number_of_pieces > 1)
+      pruned.for_each_piece(
+        arc, [&](Index piece) { halfedges.insert(halfedges.end(), chain_of(piece).begin(), chain_of(piece).end()); });
+    parts.emplace_back(begin, halfedges.size());
+  }
+  const auto storage = std::make_shared<const std::vector<typename Chain::value_type>>(std::move(halfedges));
+  std::vector<Chain> chains;
+  for(std::size_t i = 0; i != arcs.size(); ++i)
+  {
+    const auto [begin, end] = parts[i];
+    chains.push_back(begin == end ? chain_of(arcs[i]) : Chain(storage, begin, end - begin));
+  }
+  return chains;
+}
+
+// Replaces the content of `simplified` by what is left of `graph`. Nodes keep their order; arcs are sorted by lower
+// node, upper node, and the first arc that they have been made of.
+template <class ReebGraph>
+Simplification<ReebGraph> write_simplified_graph(const ReebGraph& graph,
+                                                 const Leaf_pruning& pruned,
+                                                 ReebGraph& simplified)
+{
+  typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
+  const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
+  std::vector<Index> arcs, new_places(pruned.number_of_nodes() + graph_arcs.size(), no_index);
+  for(Index arc = 0; arc != graph_arcs.size(); ++arc)
+  {
+    if(pruned.is_left(pruned.place_of_arc(arc)))
+      arcs.push_back(arc);
+  }
+  std::sort(arcs.begin(), arcs.end(), [&](Index a, Index b) {
+    return std::tie(pruned.arc(a).lower, pruned.arc(a).upper, a)
+         < std::tie(pruned.arc(b).lower, pruned.arc(b).upper, b);
+  });
+  auto chains = join_chains(graph, graph_arcs, pruned, arcs);
+
+  simplified.clear();
+  for(Index node = 0; node != pruned.number_of_nodes(); ++node)
+  {
+    if(pruned.is_left(node))
+      new_places[node] = static_cast<Index>(add_vertex(graph[node], simplified));
+  }
+  for(const Index arc : arcs)
+    add_edge(new_places[pruned.arc(arc).lower], new_places[pruned.arc(arc).upper], simplified);
+  const std::vector<arc_descriptor> new_arcs(edges(simplified).first, edges(simplified).second);
+  const auto number_of_new_nodes = static_cast<Index>(num_vertices(simplified));
+  for(std::size_t i = 0; i != arcs.size(); ++i)
+  {
+    simplified[new_arcs[i]].chain = std::move(chains[i]);
+    set_arc_index(simplified, new_arcs[i], i);
+    new_places[pruned.place_of_arc(arcs[i])] = static_cast<Index>(number_of_new_nodes + i);
+  }
+  const std::vector<Index> owners = pruned.find_owners();
+  for(Index place = 0; place != new_places.size(); ++place)
+  {
+    if(owners[place] != no_index)
+      new_places[place] = new_places[owners[place]];
+  }
+  return Simplification<ReebGraph>(pruned.number_of_nodes(), number_of_new_nodes, std::move(new_places), new_arcs);
+}
+
+} // namespace CGAL::Reeb_graph::internal
 
 namespace CGAL::Reeb_graph {
 

@@ -14,16 +14,105 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+// Joins edges to curves: the longest paths through vertices with two of the edges, in the order of their first edges,
+// those that end before those that do not.
+template <class Mesh>
+class Edge_tracing
+{
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<Mesh>::edge_descriptor edge_descriptor;
+
+public:
+  explicit Edge_tracing(Mesh& mesh)
+    : mesh_(mesh),
+      is_left_(get(dynamic_edge_property_t<bool>(), mesh)),
+      number_of_edges_(get(dynamic_vertex_property_t<std::size_t>(), mesh))
+  {
+    for(const edge_descriptor e : edges(mesh))
+      put(is_left_, e, false);
+  }
+
+  std::vector<std::vector<halfedge_descriptor>> operator()(const std::vector<edge_descriptor>& given)
+  {
+    for(const int step : {0, 1})
+      for(const edge_descriptor e : given)
+        for(const vertex_descriptor v : {source(e, mesh_), target(e, mesh_)})
+          put(number_of_edges_, v, step == 0 ? 0 : get(number_of_edges_, v) + 1);
+    for(const edge_descriptor e : given)
+      put(is_left_, e, true);
+    std::vector<std::vector<halfedge_descriptor>> paths;
+    for(const bool is_closed : {false, true})
+      for(const edge_descriptor e : given)
+        for(const halfedge_descriptor h : {halfedge(e, mesh_), opposite(halfedge(e, mesh_), mesh_)})
+          if(get(is_left_, e) && (is_closed || get(number_of_edges_, source(h, mesh_)) != 2))
+            paths.push_back(path_from(h));
+    return paths;
+  }
+
+private:
+  // The path that begins with a halfedge.
+  std::vector<halfedge_descriptor> path_from(halfedge_descriptor first)
+  {
+    std::vector<halfedge_descriptor> path = {first};
+    put(is_left_, edge(first, mesh_), false);
+    for(bool is_longer = true; is_longer;)
+    {
+      is_longer = false;
+      const vertex_descriptor v = target(path.back(), mesh_);
+      if(get(number_of_edges_, v) != 2)
+        break;
+      for(const halfedge_descriptor h : halfedges_around_source(v, mesh_))
+        if(get(is_left_, edge(h, mesh_)))
+        {
+          put(is_left_, edge(h, mesh_), false);
+          path.push_back(h);
+          is_longer = true;
+          break;
+        }
+    }
+    return path;
+  }
+
+  Mesh& mesh_;
+  typename boost::property_map<Mesh, dynamic_edge_property_t<bool>>::type is_left_; // on no path yet
+  typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type number_of_edges_;
+};
+
+// The curve of halfedges of a mesh that has not been cut open.
+template <class Mesh, class VertexPointMap, class HalfedgeDescriptor>
+Curve<HalfedgeDescriptor> make_curve(const Mesh& mesh,
+                                     const VertexPointMap& vertex_point_map,
+                                     std::vector<HalfedgeDescriptor> halfedges,
+                                     double value)
+{
+  Curve<HalfedgeDescriptor> curve;
+  curve.value = value;
+  curve.is_closed = source(halfedges.front(), mesh) == target(halfedges.back(), mesh);
+  for(const HalfedgeDescriptor h : halfedges)
+  {
+    curve.lower_halfedges.push_back(opposite(h, mesh));
+    curve.length += distance_between(get(vertex_point_map, target(h, mesh)), get(vertex_point_map, source(h, mesh)));
+  }
+  curve.halfedges = std::move(halfedges);
+  return curve;
+}
 
 // A contour that is to become a path of edges. It is the same for all levels between the highest lower end and the
 // lowest upper end of its halfedges.
@@ -179,51 +268,11 @@ private:
       fractions_[i] = (std::min)(fractions_[i], highest);
   }
 
-  bool is_corner(halfedge_descriptor h) const { return get(crossing_map_, target(h, mesh_)) == 0; }
-
-  // Splits a triangle by the segments of all contours. Two ways lead from its lowest to its highest corner, and every
-  // segment joins the left one to the right one. Both are climbed at the same time; what is left below a segment is a
-  // polygon of up to five edges.
   void split_face(face_descriptor f)
   {
-    const std::array<halfedge_descriptor, 2> ends = lowest_and_highest_corner(f);
-    const vertex_descriptor top = target(ends[1], mesh_);
-    halfedge_descriptor left = next(ends[0], mesh_), right = prev(ends[0], mesh_);
-    halfedge_descriptor segment = left;
-    for(;;)
-    {
-      if(is_corner(left) && target(left, mesh_) != top)
-        left = next(left, mesh_);
-      else if(is_corner(right) && target(right, mesh_) != top)
-        right = prev(right, mesh_);
-      if(target(left, mesh_) == top || target(right, mesh_) == top)
-        break;
-      segment = ranked_.split_face(right, left);
-      set_path(segment);
-      ranked_.triangulate(opposite(segment, mesh_));
-      left = next(segment, mesh_);
-      right = prev(right, mesh_);
-    }
-    ranked_.triangulate(segment);
-  }
-
-  // The halfedges of a face that lead to its lowest and to its highest corner.
-  std::array<halfedge_descriptor, 2> lowest_and_highest_corner(face_descriptor f) const
-  {
-    std::array<halfedge_descriptor, 2> ends = {halfedge(f, mesh_), halfedge(f, mesh_)};
-    bool is_first = true;
-    for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, mesh_), mesh_))
-    {
-      if(!is_corner(h))
-        continue;
-      const Long_index rank = ranked_.rank(target(h, mesh_));
-      if(is_first || rank < ranked_.rank(target(ends[0], mesh_)))
-        ends[0] = h;
-      if(is_first || rank > ranked_.rank(target(ends[1], mesh_)))
-        ends[1] = h;
-      is_first = false;
-    }
-    return ends;
+    const auto is_point = [&](halfedge_descriptor h) { return get(crossing_map_, target(h, mesh_)) != 0; };
+    const auto ends = ranked_.ends_of(f, [&](halfedge_descriptor h) { return !is_point(h); });
+    ranked_.split_triangle(ends, is_point, [&](halfedge_descriptor segment) { set_path(segment); });
   }
 
   void set_path(halfedge_descriptor segment)
@@ -234,19 +283,13 @@ private:
 
   std::vector<Curve<halfedge_descriptor>> make_curves() const
   {
-    std::vector<Curve<halfedge_descriptor>> curves(contours_.size());
+    std::vector<Curve<halfedge_descriptor>> curves;
     for(std::size_t contour = 0; contour != contours_.size(); ++contour)
     {
-      Curve<halfedge_descriptor>& curve = curves[contour];
-      curve.is_closed = contours_[contour].is_closed;
-      curve.value = contours_[contour].value;
       const auto first = path_.begin() + first_numbers_[contour];
-      curve.halfedges.assign(first, first + contours_[contour].halfedges.size() - (curve.is_closed ? 0 : 1));
-      for(const halfedge_descriptor h : curve.halfedges)
-      {
-        curve.lower_halfedges.push_back(opposite(h, mesh_));
-        curve.length += ranked_.distance(source(h, mesh_), target(h, mesh_));
-      }
+      const auto last = first + contours_[contour].halfedges.size() - (contours_[contour].is_closed ? 0 : 1);
+      curves.push_back(make_curve(mesh_, ranked_.vertex_point_map(), std::vector<halfedge_descriptor>(first, last),
+                                  contours_[contour].value));
     }
     return curves;
   }

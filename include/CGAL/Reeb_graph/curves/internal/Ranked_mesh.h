@@ -25,6 +25,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -133,6 +134,52 @@ public:
       splits_.back().halfedge = h;
     visitor_.face_split(face(h, mesh_), face(opposite(h, mesh_), mesh_));
     return h;
+  }
+
+  // The halfedges of a triangle, which may have been refined, that lead to a lowest and to a highest one of the vertices
+  // that have a rank.
+  template <class HasRank>
+  std::array<halfedge_descriptor, 2> ends_of(face_descriptor f, const HasRank& has_rank) const
+  {
+    std::array<halfedge_descriptor, 2> ends = {boost::graph_traits<Mesh>::null_halfedge(),
+                                               boost::graph_traits<Mesh>::null_halfedge()};
+    for(const halfedge_descriptor h : halfedges_around_face(halfedge(f, mesh_), mesh_))
+    {
+      if(!has_rank(h))
+        continue;
+      const bool is_first = ends[0] == boost::graph_traits<Mesh>::null_halfedge();
+      if(is_first || rank(target(h, mesh_)) < rank(target(ends[0], mesh_)))
+        ends[0] = h;
+      if(is_first || rank(target(h, mesh_)) > rank(target(ends[1], mesh_)))
+        ends[1] = h;
+    }
+    return ends;
+  }
+
+  // Splits a triangle, whose edges have been split, by segments between the points on its sides; calls visit(segment),
+  // with the higher side on its left. Two ways lead from its lowest to its highest corner, and each segment joins the
+  // left one to the right one. Both are climbed at the same time; what is left below a segment is a polygon of up to
+  // five edges.
+  template <class IsPoint, class Visit>
+  void split_triangle(const std::array<halfedge_descriptor, 2>& ends, const IsPoint& is_point, const Visit& visit) const
+  {
+    const vertex_descriptor top = target(ends[1], mesh_);
+    halfedge_descriptor left = next(ends[0], mesh_), right = prev(ends[0], mesh_), segment = left;
+    for(;;)
+    {
+      while(!is_point(left) && target(left, mesh_) != top)
+        left = next(left, mesh_);
+      while(!is_point(right) && target(right, mesh_) != top)
+        right = prev(right, mesh_);
+      if(target(left, mesh_) == top || target(right, mesh_) == top)
+        break;
+      segment = split_face(right, left);
+      visit(segment);
+      triangulate(opposite(segment, mesh_));
+      left = next(segment, mesh_);
+      right = prev(right, mesh_);
+    }
+    triangulate(segment);
   }
 
   // Triangulates the face of `h`, a polygon of few edges that is convex but for rounding, by the fan whose worst

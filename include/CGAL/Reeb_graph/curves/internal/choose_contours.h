@@ -16,19 +16,16 @@
 #include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
-#include <CGAL/Reeb_graph/curves/internal/requirements.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
-#include <CGAL/Reeb_graph/internal/graph/branch_measure.h>
 #include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
 #include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/simplification/exceptions.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
 #include <CGAL/number_utils.h>

@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
 #include <CGAL/Reeb_graph/distributed/internal/exchange.h>
+#include <CGAL/Reeb_graph/distributed/internal/solve_slab.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 

@@ -12,9 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/distributed/exceptions.h>
-#include <CGAL/Reeb_graph/distributed/internal/Slab_surface.h>
 #include <CGAL/Reeb_graph/distributed/internal/Vertex_numbering.h>
 #include <CGAL/Reeb_graph/distributed/internal/exchange.h>
+#include <CGAL/Reeb_graph/distributed/internal/solve_slab.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>

@@ -14,10 +14,10 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/Simple_cartesian.h>

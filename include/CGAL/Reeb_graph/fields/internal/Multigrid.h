@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/internal/Dirichlet_problem.h>
-#include <CGAL/Reeb_graph/fields/internal/iterate.h>
 
 #ifdef CGAL_EIGEN3_ENABLED
 #include <Eigen/LU>

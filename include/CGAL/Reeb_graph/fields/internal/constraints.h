@@ -13,13 +13,13 @@
 
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/field_constraints.h>
-#include <CGAL/Reeb_graph/fields/internal/Triangle_geometry.h>
+#include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
 #include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -103,16 +103,13 @@ void write_field(const Surface& surface,
                  FieldMap field_map,
                  const Progress& progress)
 {
-  if constexpr(Writable_vertex_map<FieldMap, typename Surface::Mesh>::value)
-  {
-    typedef typename boost::property_traits<FieldMap>::value_type Value;
-    static_assert(!std::is_integral_v<Value>, "the value type of the field map must not be an integer type");
-    for(std::size_t v = 0; v != values.size(); ++v)
-      if(!std::isfinite(static_cast<Scalar_of_field<FieldMap>>(values[v])))
-        throw Non_finite_scalar_error(v);
-    for(std::size_t v = 0; v != values.size(); ++v)
-      put(field_map, surface.vertex_handle(v), static_cast<Value>(values[v]));
-  }
+  typedef typename boost::property_traits<FieldMap>::value_type Value;
+  static_assert(!std::is_integral_v<Value>, "the value type of the field map must not be an integer type");
+  for(std::size_t v = 0; v != values.size(); ++v)
+    if(!std::isfinite(static_cast<Scalar_of_field<FieldMap>>(values[v])))
+      throw Non_finite_scalar_error(v);
+  for(std::size_t v = 0; v != values.size(); ++v)
+    put(field_map, surface.vertex_handle(v), static_cast<Value>(values[v]));
   progress.report_end();
 }
 

@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/Triangle_geometry.h>
+#include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 
 #include <CGAL/Simple_cartesian.h>

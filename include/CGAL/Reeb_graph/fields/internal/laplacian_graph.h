@@ -11,16 +11,166 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/fields/Field_report.h>
 #include <CGAL/Reeb_graph/fields/exceptions.h>
 #include <CGAL/Reeb_graph/fields/internal/Indexed_surface.h>
-#include <CGAL/Reeb_graph/fields/internal/Triangle_geometry.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/options.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Reeb_graph::internal::scalar_fields {
+
+// The geometry of a triangle with the corners 0, 1, 2: `edges[i]` leads from corner i to corner i + 1.
+struct Triangle_geometry
+{
+  std::array<Vector, 3> edges;
+  Vector normal; // its length is twice the area
+  double double_area;
+
+  // The cotangent of the angle at corner i.
+  double cotangent(int i) const { return -(edges[i] * edges[(i + 2) % 3]) / double_area; }
+
+  // The tangent of half the angle at corner i, without cancellation.
+  double half_tangent(int i) const
+  {
+    const double product = length(edges[i]) * length(edges[(i + 2) % 3]);
+    const double cosine = -(edges[i] * edges[(i + 2) % 3]);
+    return cosine > 0 ? double_area / (product + cosine) : (product - cosine) / double_area;
+  }
+
+  // The gradient of the function that is 1 at corner i and 0 at the other ones.
+  Vector hat_gradient(int i) const
+  {
+    return (1 / double_area) * cross_product((1 / double_area) * normal, edges[(i + 1) % 3]);
+  }
+
+  int longest_edge() const
+  {
+    int longest = 0;
+    for(int i = 1; i != 3; ++i)
+      if(edges[i].squared_length() > edges[longest].squared_length())
+        longest = i;
+    return longest;
+  }
+
+  // Whether the triangle has an area, and one that is not so small that cotangents are beyond the range of numbers.
+  bool is_proper() const
+  {
+    for(int i = 0; i != 3; ++i)
+      if(!(double_area > 0) || !std::isfinite(cotangent(i)) || !std::isfinite(half_tangent(i))
+         || !(half_tangent(i) > 0))
+        return false;
+    return true;
+  }
+};
+
+// The geometry of the points of a triangle.
+inline Triangle_geometry geometry_of_points(const Indexed_surface& surface, std::size_t triangle)
+{
+  const auto& v = surface.triangles()[triangle].vertices;
+  Triangle_geometry geometry;
+  for(int i = 0; i != 3; ++i)
+    geometry.edges[i] = surface.point(v[(i + 1) % 3]) - surface.point(v[i]);
+  // The product of the two short edges is the one with the least cancellation.
+  const int longest = geometry.longest_edge();
+  geometry.normal = cross_product(geometry.edges[(longest + 1) % 3], geometry.edges[(longest + 2) % 3]);
+  geometry.double_area = length(geometry.normal);
+  return geometry;
+}
+
+// A vector of unit length that is perpendicular to one of unit length.
+inline Vector perpendicular(const Vector& x)
+{
+  int smallest = 0;
+  for(int i = 1; i != 3; ++i)
+    if(std::abs(x[i]) < std::abs(x[smallest]))
+      smallest = i;
+  const Vector axis(smallest == 0 ? 1. : 0., smallest == 1 ? 1. : 0., smallest == 2 ? 1. : 0.);
+  return normalized(cross_product(x, axis));
+}
+
+// The triangle each of whose sides is longer by `added_length`, in the plane of the given one as far as that has a
+// plane. Its sides have to fulfil the triangle inequality.
+inline Triangle_geometry lengthened(const Triangle_geometry& given, double added_length)
+{
+  const int longest = given.longest_edge(), next = (longest + 1) % 3, previous = (longest + 2) % 3;
+  const auto side = [&](int i) { return length(given.edges[i]) + added_length; };
+  const double a = side(longest), b = (std::max)(side(next), side(previous)),
+               c = (std::min)(side(next), side(previous));
+  // Heron's formula as W. Kahan has it, without cancellation
+  const double area = std::sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))) / 4;
+  // the longest side is on the x-axis
+  const double height = 2 * area / a;
+  const double foot = (a + (side(previous) - side(next)) * ((side(previous) + side(next)) / a)) / 2;
+
+  const bool has_direction = length(given.edges[longest]) > 0;
+  const Vector x = has_direction ? normalized(given.edges[longest]) : Vector(1, 0, 0);
+  const Vector y = given.double_area > 0 ? normalized(cross_product(given.normal, x)) : perpendicular(x);
+  Triangle_geometry geometry;
+  geometry.edges[longest] = a * x;
+  geometry.edges[next] = (foot - a) * x + height * y;
+  geometry.edges[previous] = -foot * x + -height * y;
+  geometry.double_area = 2 * area;
+  geometry.normal = geometry.double_area * cross_product(x, y);
+  return geometry;
+}
+
+inline Triangle_geometry triangle_geometry(const Indexed_surface& surface, std::size_t triangle)
+{
+  const Triangle_geometry geometry = geometry_of_points(surface, triangle);
+  return surface.added_length() > 0 ? lengthened(geometry, surface.added_length()) : geometry;
+}
+
+// Makes all edges longer by the least length after which any two sides of a triangle are longer than the third one by a
+// margin: intrinsic mollification. See Field_report.
+inline void lengthen_edges(Indexed_surface& surface, Field_report& report)
+{
+  constexpr double margin_of_mean = 1e-6, margin_of_longest = 1e-12;
+  double sum = 0, number_of_edges = 0, longest = 0;
+  // The least of the sums of two sides of a triangle less the third one; it can be negative by rounding.
+  double least_slack = std::numeric_limits<double>::infinity();
+  for(const Indexed_triangle& t : surface.triangles())
+  {
+    std::array<double, 3> sides;
+    for(int i = 0; i != 3; ++i)
+    {
+      sides[i] = length(surface.point(t.vertices[(i + 1) % 3]) - surface.point(t.vertices[i]));
+      sum += t.is_on_border[i] ? sides[i] : sides[i] / 2;
+      number_of_edges += t.is_on_border[i] ? 1 : 0.5;
+    }
+    std::sort(sides.begin(), sides.end());
+    longest = (std::max)(longest, sides[2]);
+    least_slack = (std::min)(least_slack, sides[0] - (sides[2] - sides[1]));
+  }
+  // If all points are the same, the unit is that of the coordinates.
+  const double mean = sum > 0 ? sum / number_of_edges : 1;
+  const double added_length = (std::max)(margin_of_mean * mean, margin_of_longest * longest) - least_slack;
+  if(!(added_length > 0))
+    return;
+  surface.set_added_length(added_length);
+  report.mean_length = sum > 0 ? mean * surface.scale() : 0;
+  report.added_length = surface.added_length() * surface.scale();
+}
+
+// Makes the edges longer if there is a triangle that is not proper.
+inline Field_report make_triangles_proper(Indexed_surface& surface)
+{
+  Field_report report;
+  for(std::size_t t = 0; t != surface.triangles().size(); ++t)
+    if(!geometry_of_points(surface, t).is_proper())
+      ++report.number_of_bad_faces;
+  if(report.number_of_bad_faces > 0)
+    lengthen_edges(surface, report);
+  return report;
+}
 
 // The weights of the Laplacian.
 inline Weighted_graph laplacian_graph(const Indexed_surface& surface, Laplacian_weights weights)
@@ -74,6 +224,67 @@ auto solve_or_lengthen_edges(Indexed_surface& surface,
   {}
   lengthen_edges(surface, report);
   return solve(laplacian_graph(surface, weights), 0.8, 0.9);
+}
+
+// The vertex of least value of each component, the first one if there are several.
+inline std::vector<Index> lowest_vertices_of_components(const Weighted_graph& graph, const std::vector<double>& values)
+{
+  const std::vector<Index> labels = label_components(graph);
+  std::vector<Index> lowest_vertices;
+  for(Index v = 0; v != graph.number_of_vertices(); ++v)
+    if(labels[v] == lowest_vertices.size())
+      lowest_vertices.push_back(v);
+    else if(values[v] < values[lowest_vertices[labels[v]]])
+      lowest_vertices[labels[v]] = v;
+  return lowest_vertices;
+}
+
+// Two vertices of each component: the one farthest from its first vertex along the edges, and the one farthest from
+// that; of several the first one. They are the same only in a component of a single vertex.
+inline std::vector<std::pair<Index, Index>> far_apart_vertices(const Indexed_surface& surface,
+                                                               const Weighted_graph& graph)
+{
+  typedef std::pair<double, Index> Entry;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> distances(graph.number_of_vertices(), infinity); // between two searches
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  const auto farthest_from = [&](Index source) {
+    std::vector<Index> reached;
+    const auto reach = [&](double distance, Index v) {
+      if(!(distance < distances[v]))
+        return;
+      distances[v] = distance;
+      reached.push_back(v);
+      queue.emplace(distance, v);
+    };
+    Entry farthest(0, source);
+    for(reach(0, source); !queue.empty();)
+    {
+      const Entry entry = queue.top();
+      queue.pop();
+      if(entry.first > distances[entry.second])
+        continue;
+      if(entry.first > farthest.first)
+        farthest = entry;
+      for(const auto& n : graph.neighbors(entry.second))
+        if(distances[n.vertex] > entry.first)
+          reach(entry.first + length(surface.point(n.vertex) - surface.point(entry.second)), n.vertex);
+    }
+    for(const Index v : reached)
+      distances[v] = infinity;
+    return farthest.second;
+  };
+  const std::vector<Index> labels = label_components(graph);
+  std::vector<std::pair<Index, Index>> pairs;
+  for(Index v = 0; v != graph.number_of_vertices(); ++v)
+    if(labels[v] == pairs.size())
+    {
+      const Index lowest = farthest_from(v), highest = farthest_from(lowest);
+      const auto neighbors = graph.neighbors(lowest);
+      const bool do_all_points_coincide = lowest == highest && !neighbors.empty();
+      pairs.emplace_back(lowest, do_all_points_coincide ? neighbors.begin()->vertex : highest);
+    }
+  return pairs;
 }
 
 } // namespace CGAL::Reeb_graph::internal::scalar_fields

@@ -18,7 +18,7 @@
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
-#include <CGAL/Reeb_graph/internal/space/Closed_triangles.h>
+#include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -449,7 +449,7 @@ public:
   virtual long long linking_number(const Halfedge_walk& a, const Halfedge_walk& b) const = 0;
 };
 
-// The one for a surface. It is a template so that the library can have it, and defined in Found_loops.h.
+// The one for a surface. It is a template so that the library can have it, and defined in Loop_choice.h.
 template <class Surface>
 std::unique_ptr<Loop_finder> make_loop_finder(Surface surface, const Stage_progress& progress);
 

@@ -17,6 +17,8 @@
 #include <CGAL/Reeb_graph/handles/internal/Loop_search.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 
 #include <algorithm>
 #include <array>
@@ -24,12 +26,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <random>
 #include <set>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -448,6 +453,140 @@ private:
   std::deque<Loop_halves> halves_;
   std::deque<Loop_choice> choices_;
 };
+
+// Finds the loops, and keeps what answers questions about them.
+class Found_loops : public Loop_finder
+{
+public:
+  Found_loops(Closed_surface surface, const Stage_progress& progress) : homology_(std::move(surface), progress) {}
+
+  const Closed_surface& surface() const override { return homology_.surface(); }
+  std::size_t number_of_components() const override { return homology_.trees().components().size(); }
+  Index component_of(Index v) const override { return homology_.trees().component_of(v); }
+
+  std::vector<std::size_t> self_intersections(bool are_counted) const override
+  {
+    const Tree_and_cotree& trees = homology_.trees();
+    return Self_intersections(surface(), trees.closed_components_with_handles(), number_of_components(),
+                              are_counted)(No_progress());
+  }
+
+  void refuse_self_intersections(const std::vector<std::size_t>& self_intersections) override
+  {
+    for(auto& component : homology_.components())
+      component.is_refused = self_intersections[component.number] != 0;
+  }
+
+  std::vector<Surface_loop> make_loops(double bound,
+                                       std::size_t number,
+                                       const std::function<void()>& find_crossed,
+                                       const Task_runner& run,
+                                       const Stage_progress& progress) override
+  {
+    std::vector<Surface_loop> result;
+    std::vector<std::vector<Pair_of_loops>> pairs;
+    run(2, [&](std::size_t task) {
+      if(task == 0)
+        find_crossed();
+      else
+        pairs = All_loops(homology_)(bound, number, run, progress);
+    });
+    for(std::size_t place = 0; place != pairs.size(); ++place)
+      add_pairs(homology_.components()[place], pairs[place], result);
+    for(const Halfedge_walk& cycle : homology_.surface().border_cycles)
+      result.push_back(make_loop(Loop_kind::HOLE, cycle));
+    return result;
+  }
+
+  bool is_bounding(const Halfedge_walk& walk, bool is_inside) const override
+  {
+    const auto* component = homology_component_of(walk);
+    if(!component || !component->has_inside())
+      return false;
+    const Class loop = component->coordinates(walk);
+    if(std::all_of(loop.begin(), loop.end(), [](const Integer& number) { return number == 0; }))
+      return false;
+    const Class front = combination(loop, component->projection);
+    const bool is_behind = is_inside == component->is_front_outside;
+    return is_behind ? std::all_of(front.begin(), front.end(), [](const Integer& number) { return number == 0; })
+                     : front == loop;
+  }
+
+  long long intersection_number(const Halfedge_walk& a, const Halfedge_walk& b) const override
+  {
+    const auto* component = homology_component_of(a);
+    if(!component || component != homology_component_of(b))
+      return 0;
+    return crossing(*component, component->coordinates(a), component->coordinates(b));
+  }
+
+  // In front, it is the intersection number of b with the part of a that bounds in front.
+  long long linking_number(const Halfedge_walk& a, const Halfedge_walk& b) const override
+  {
+    const auto* component = homology_component_of(a);
+    if(!component || component != homology_component_of(b) || !component->has_inside())
+      return 0;
+    const Class loop = component->coordinates(a), other = component->coordinates(b);
+    const long long in_front = crossing(*component, other, combination(loop, component->projection));
+    return component->is_front_outside ? in_front : in_front + crossing(*component, loop, other);
+  }
+
+private:
+  typedef Handle_homology::Component Component;
+  typedef std::vector<Integer> Class;
+
+  void add_pairs(const Component& component, const std::vector<Pair_of_loops>& pairs, std::vector<Surface_loop>& loops)
+  {
+    const bool has_inside = component.has_inside();
+    std::vector<std::array<Surface_loop, 2>> made;
+    for(const Pair_of_loops& pair : pairs)
+    {
+      const std::size_t inside = has_inside && !component.is_front_outside ? 1 : 0;
+      made.push_back({make_loop(has_inside ? Loop_kind::HANDLE : Loop_kind::LOOP, pair[inside]),
+                      make_loop(has_inside ? Loop_kind::TUNNEL : Loop_kind::LOOP, pair[1 - inside])});
+    }
+    const auto size = [](const std::array<Surface_loop, 2>& pair) {
+      return std::make_pair((std::min)(pair[0].length, pair[1].length), pair[0].length + pair[1].length);
+    };
+    std::stable_sort(made.begin(), made.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
+    for(auto& pair : made)
+      for(std::size_t k : {0, 1})
+      {
+        pair[k].partner = k == 0 ? loops.size() + 1 : loops.size() - 1;
+        loops.push_back(std::move(pair[k]));
+      }
+  }
+
+  Surface_loop make_loop(Loop_kind kind, const Halfedge_walk& walk) const
+  {
+    const Closed_surface& surface = homology_.surface();
+    Surface_loop loop = {kind, walk};
+    loop.length = surface.length(walk);
+    loop.component = component_of(surface.target[walk.front()]);
+    std::unordered_set<Index> passed;
+    for(const Index h : walk)
+      loop.is_simple = passed.insert(surface.target[h]).second && loop.is_simple;
+    return loop;
+  }
+
+  const Component* homology_component_of(const Halfedge_walk& walk) const
+  {
+    return walk.empty() ? nullptr : homology_.component_of(homology_.surface().target[walk.front()]);
+  }
+
+  static long long crossing(const Component& component, const Class& a, const Class& b)
+  {
+    return to_machine_integer(dot_product(combination(a, component.intersection_numbers()[0]), b));
+  }
+
+  Handle_homology homology_;
+};
+
+template <class Surface>
+std::unique_ptr<Loop_finder> make_loop_finder(Surface surface, const Stage_progress& progress)
+{
+  return std::make_unique<Found_loops>(std::move(surface), progress);
+}
 
 } // namespace CGAL::Reeb_graph::internal
 

@@ -11,6 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -76,6 +78,28 @@ double area_of(const Point& p, const Point& q, const Point& r)
   return length_of(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]) / 2 * u_length
        * v_length;
 }
+
+// The mean of values, each of which counts by a weight. It is never beyond them, nor does a sum grow too large.
+struct Weighted_mean
+{
+  double weight = 0, mean = 0;
+
+  void add(double value, double its_weight)
+  {
+    if(!(its_weight > 0))
+      return;
+    weight += its_weight;
+    const double share = its_weight / weight;
+    mean = share < 1 ? std::clamp((1 - share) * mean + share * value, (std::min)(mean, value), (std::max)(mean, value))
+                     : value;
+  }
+
+  // Where nothing has a weight, the middle between the two values.
+  double mean_or_middle(double lower, double upper) const
+  {
+    return weight > 0 ? mean : lower == upper ? lower : value_at_fraction(lower, upper, 0.5);
+  }
+};
 
 } // namespace CGAL::Reeb_graph::internal
 

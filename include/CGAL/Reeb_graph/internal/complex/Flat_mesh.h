@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
-#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -11,10 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Named_function_parameters.h>

@@ -28,12 +28,11 @@
 //
 // | stage                                   | from a complex, an order, and                 | to                     |
 // | classify_vertices.h                     | nothing else                                  | Swept_vertices         |
-// | merge_trees.h, by the paths of walks.h  | Swept_vertices of a slab                      | Merge_tree, up or down |
+// | slabs.h, by the paths of walks.h        | Swept_vertices of a slab                      | Merge_tree, up or down |
 // | cut_loops.h, by the contours of walks.h | the one up, and the one down so far           | Contour_cuts           |
-// | Contour_trees_engine.h                  | both trees and the cuts, which it combines    | Swept_arcs of the slab |
+// | find_arcs.h                             | both trees and the cuts, which it combines    | Swept_arcs of the slab |
 // | find_arcs.h, by the Slicing of slabs.h  | Swept_arcs of all slabs, or of critical sets  | Swept_arcs             |
-// | reduce_arcs.h                           | Swept_vertices, Swept_arcs                    | Flat_graph             |
-// | write_graph.h, stored by graph_storage.h| Flat_graph                                    | the graph of the user  |
+// | write_graph.h                           | Swept_vertices, Swept_arcs, as a Flat_graph   | the graph of the user  |
 //
 // Locate_on_arcs.h asks the trees for other vertices; stages_of_complexes.h has what differs where there is no surface.
 

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
-#include <CGAL/Reeb_graph/visitor.h>
+#include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
 #include <array>

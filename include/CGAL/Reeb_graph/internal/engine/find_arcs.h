@@ -12,14 +12,410 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/engine/Contour_trees_engine.h>
+#include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
+#include <CGAL/Reeb_graph/internal/engine/cut_loops.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::Reeb_graph::internal {
+
+// A rooted tree from which leaves and nodes with one child are taken away. The children of a node are known by their
+// number and by the exclusive or of their names, which is the name of the last one.
+class Shrinking_tree
+{
+public:
+  Shrinking_tree() = default;
+  // Room that is left for more nodes is left here too.
+  explicit Shrinking_tree(const Indexed_vector<Tree_node, Tree_node>& parents)
+  {
+    nodes_.reserve(parents.capacity());
+    nodes_.assign(parents.size(), Node{no_index, 0, 0});
+    constexpr Index ahead = 16;
+    for(const Tree_node node : parents.keys())
+    {
+      const Tree_node later(node.number() + ahead);
+      if(parents.contains(later) && parents[later] != no_index)
+        prefetch(&nodes_[parents[later]]);
+      nodes_[node].parent = parents[node];
+      if(parents[node] == no_index)
+      {
+        ++number_of_roots_;
+        continue;
+      }
+      ++nodes_[parents[node]].number_of_children;
+      nodes_[parents[node]].child_names ^= node.number();
+    }
+  }
+
+  // Adds nodes, which have to be put somewhere then.
+  void resize(std::size_t number_of_nodes) { nodes_.resize(number_of_nodes); }
+
+  // The child is no root.
+  void put_above(Tree_node child, Tree_node node)
+  {
+    const Tree_node parent = nodes_[child].parent;
+    nodes_[node] = {parent, 1, child.number()};
+    nodes_[child].parent = node;
+    nodes_[parent].child_names ^= node.number() ^ child.number();
+  }
+
+  void put_leaf_below(Tree_node parent, Tree_node node)
+  {
+    nodes_[node] = {parent, 0, 0};
+    ++nodes_[parent].number_of_children;
+    nodes_[parent].child_names ^= node.number();
+  }
+
+  // How many roots the tree has before any node is removed.
+  Index number_of_roots() const { return number_of_roots_; }
+
+  Tree_node parent(Tree_node node) const { return nodes_[node].parent; }
+  Index number_of_children(Tree_node node) const { return nodes_[node].number_of_children; }
+  Tree_node only_child(Tree_node node) const { return Tree_node(nodes_[node].child_names); }
+
+  void remove_leaf(Tree_node node)
+  {
+    Node& parent = nodes_[nodes_[node].parent];
+    --parent.number_of_children;
+    parent.child_names ^= node.number();
+  }
+
+  // The only child takes the place of the node.
+  void remove_inner_node(Tree_node node)
+  {
+    const Tree_node child = only_child(node), parent = nodes_[node].parent;
+    nodes_[child].parent = parent;
+    if(parent != no_index)
+      nodes_[parent].child_names ^= node.number() ^ child.number();
+    nodes_[node].number_of_children = 0;
+  }
+
+private:
+  struct Node
+  {
+    Tree_node parent;
+    Index number_of_children;
+    Index child_names;
+  };
+
+  Indexed_vector<Tree_node, Node> nodes_;
+  Index number_of_roots_ = 0;
+};
+
+// Combines a join tree and a split tree of the same nodes to the arcs of the contour tree, leaf by leaf. (H. Carr,
+// J. Snoeyink, U. Axen, Computing contour trees in all dimensions, 2003.) On request, it keeps what
+// find_arcs_of_classes() needs.
+template <bool are_leaves_kept>
+class Tree_combination
+{
+public:
+  Tree_combination(Shrinking_tree join_tree,
+                   Shrinking_tree split_tree,
+                   Indexed_vector<Tree_node, Ascending_step> first_steps)
+    : trees_{{std::move(join_tree), std::move(split_tree)}},
+      first_steps_(std::move(first_steps))
+  {
+    arcs_.reserve(first_steps_.size());
+  }
+
+  Swept_arcs operator()()
+  {
+    for(const Tree_node node : first_steps_.keys())
+      take_leaves_from(node);
+    return std::move(arcs_);
+  }
+
+  // Follows the classes to the arcs that have been found: in the tree where a leaf of the other one is no leaf, the
+  // only child takes its place, and goes later.
+  Arcs_of_classes find_arcs_of_classes(const Swept_arcs& arcs) const
+  {
+    static_assert(are_leaves_kept);
+    Arcs_of_classes result;
+    for(const Side side : both_sides)
+      result[side].reset(first_steps_.size(), no_index);
+    for(std::size_t i = arcs.size(); i != 0;)
+    {
+      const Swept_arc_index arc(--i);
+      const Side side = sides_of_leaves_[i];
+      const Tree_node leaf = side == Side::LOWER ? arcs[arc].lower : arcs[arc].upper;
+      const Side other = opposite_of(side);
+      result[side][leaf] = arc;
+      result[other][leaf] = result[other][trees_[other].only_child(leaf)];
+    }
+    return result;
+  }
+
+private:
+  // Whether the node is a leaf that is left at one side: the lower one in the join tree, the upper one in the split tree.
+  // A root is no leaf, as it is none of trees of the same order.
+  template <Side side>
+  bool is_leaf(Tree_node node) const
+  {
+    return trees_[side].number_of_children(node) == 0 && trees_[opposite_of(side)].number_of_children(node) == 1
+        && trees_[side].parent(node) != no_index;
+  }
+
+  // Takes the node away if it is a leaf, and then its neighbor if that makes it one, and so on.
+  void take_leaves_from(Tree_node node)
+  {
+    while(node != no_index)
+    {
+      if(is_leaf<Side::LOWER>(node))
+        node = take_leaf<Side::LOWER>(node);
+      else if(is_leaf<Side::UPPER>(node))
+        node = take_leaf<Side::UPPER>(node);
+      else
+        node = no_index;
+    }
+  }
+
+  // Returns the other end of the leaf's arc.
+  template <Side side>
+  Tree_node take_leaf(Tree_node leaf)
+  {
+    const Tree_node end = trees_[side].parent(leaf);
+    if constexpr(side == Side::LOWER)
+    {
+      const Tree_node child = trees_[Side::UPPER].only_child(leaf);
+      arcs_.push_back({leaf, end, first_steps_[child]});
+      first_steps_[child] = first_steps_[leaf];
+    }
+    else
+      arcs_.push_back({end, leaf, first_steps_[leaf]});
+    if constexpr(are_leaves_kept)
+      sides_of_leaves_.push_back(side);
+    trees_[side].remove_leaf(leaf);
+    trees_[opposite_of(side)].remove_inner_node(leaf);
+    return end;
+  }
+
+  By_side<Shrinking_tree> trees_;
+  Indexed_vector<Tree_node, Ascending_step> first_steps_; // from its parent in the split tree towards it
+  Swept_arcs arcs_;
+  Plain_vector<Side> sides_of_leaves_; // by arc
+};
+
+// Contour trees joined by loop surgery: near-linear for any field. The surface is cut along the few contours that
+// close loops; what is left has a tree as Reeb graph, which comes from its join tree and its split tree. The sweep for
+// the split tree comes down to a contour just below a vertex after all that is above: it can cut there and go on.
+// (J. Tierny, A. Gyulassy, E. Simon, V. Pascucci, Loop surgery for volumetric meshes: Reeb graphs reduced to contour
+// trees, 2009, for volumes.)
+template <class Complex, class Order>
+class Contour_trees_engine
+{
+  typedef Merge_tree_sweep<Complex, Order, Side::LOWER> Upward_sweep;
+  typedef Cutting_sweep<Complex, Order> Downward_sweep;
+
+public:
+  Contour_trees_engine(const Slab<Complex>& slab, const Order& order)
+    : slab_(slab),
+      order_(order),
+      critical_vertices_(slab.critical_vertices())
+  {}
+
+  // Answers the queries on the way, and calls report(fraction) now and then.
+  template <class ConcurrencyTag, class Report, class Queries>
+  Swept_arcs find_arcs(const Report& report, Queries& queries) const
+  {
+    std::optional<Upward_sweep> upwards;
+    std::optional<Downward_sweep> downwards;
+    invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
+    find_path_ends<ConcurrencyTag, Queries>(*upwards);
+    report(0.25);
+
+    const bool is_forest = sweep_first_trees<ConcurrencyTag>(*upwards, downwards, queries);
+    report(0.5);
+
+    Shrinking_tree join_tree, split_tree;
+    invoke_both<ConcurrencyTag>(
+      [&] {
+        if(!is_forest)
+          sweep_downwards_and_cut(*downwards, upwards->tree(), queries);
+      },
+      [&] { join_tree = Shrinking_tree(upwards->tree().parents); });
+    Contour_cuts cuts = downwards->take_cuts();
+    insert_cuts(cuts, join_tree);
+    report(0.75);
+
+    Indexed_vector<Tree_node, Ascending_step> first_steps;
+    invoke_both<ConcurrencyTag>(
+      [&] { split_tree = Shrinking_tree(downwards->tree().parents); },
+      [&] { first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().classes, cuts.number_of_nodes()); });
+    const std::size_t number_of_arcs = cuts.number_of_nodes() - join_tree.number_of_roots();
+    Tree_combination<Queries::are_any> combination(std::move(join_tree), std::move(split_tree), std::move(first_steps));
+    Swept_arcs arcs = combination();
+    if(arcs.size() != number_of_arcs) // The trees are not those of one order.
+      slab_.throw_contradiction_near(arcs.empty() ? Swept_arc{no_index, no_index, {}} : arcs.back());
+    if constexpr(Queries::are_any)
+    {
+      Arcs_of_classes arcs_of_classes = combination.find_arcs_of_classes(arcs);
+      if(cuts.size() != 0)
+      {
+        Indexed_vector<Swept_arc_index, Swept_arc_index> new_names(arcs.size(), no_index); // of those that are kept
+        glue_cuts(cuts, arcs, [&](Swept_arc_index arc, Swept_arc_index name) { new_names[arc] = name; });
+        for(const Side side : both_sides)
+          for(Swept_arc_index& arc : arcs_of_classes[side])
+            arc = arc == no_index ? arc : new_names[arc];
+        cuts.register_edges();
+      }
+      queries.template find_arcs<ConcurrencyTag>(arcs_of_classes,
+                                                 Trees_with_cuts{{&upwards->tree(), &downwards->tree()}, cuts});
+    }
+    else if(cuts.size() != 0)
+      glue_cuts(cuts, arcs, [](Swept_arc_index, Swept_arc_index) {});
+    return arcs;
+  }
+
+private:
+  template <class ConcurrencyTag, class Queries, class Sweep>
+  static void find_path_ends(Sweep& sweep)
+  {
+    sweep.template find_path_ends<ConcurrencyTag>();
+    if constexpr(Queries::are_in_order)
+      sweep.template find_path_ends_of_vertices<ConcurrencyTag>();
+  }
+
+  // The sweep for the join tree, and for the split tree as much as can be done: all of it where no loop can be, as the
+  // sweeps do not need each other then. Whether that is so, the result, is only known after the first one; to run the
+  // second one beside it is a guess. Of a complex that may be no surface, the Euler characteristic tells nothing.
+  template <class ConcurrencyTag, class Queries>
+  bool sweep_first_trees(Upward_sweep& upwards, std::optional<Downward_sweep>& downwards, Queries& queries) const
+  {
+    const std::ptrdiff_t characteristic =
+      Complex::is_surface && slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
+    const bool is_guess_made = is_parallel<ConcurrencyTag>() && characteristic > 0;
+    const auto no_cuts = [](Swept_index) {};
+    invoke_both<ConcurrencyTag>([&] { sweep_from<Side::LOWER>(upwards, queries, no_cuts); },
+                                [&] {
+                                  if(is_guess_made || has_many_critical_vertices())
+                                    find_path_ends<ConcurrencyTag, Queries>(*downwards);
+                                  if(is_guess_made)
+                                    sweep_from<Side::UPPER>(*downwards, queries, no_cuts);
+                                });
+    const bool is_forest = characteristic > 0 && characteristic == largest_euler_characteristic(upwards.tree());
+    if(is_forest && !is_guess_made)
+      sweep_from<Side::UPPER>(*downwards, queries, no_cuts);
+    if(!is_forest && is_guess_made)
+    {
+      downwards.emplace(slab_, order_);
+      if(has_many_critical_vertices())
+        find_path_ends<ConcurrencyTag, Queries>(*downwards);
+    }
+    return is_forest;
+  }
+
+  // Sweeps over the critical vertices from one side, lets the sweep know ahead, and calls visit(critical vertex) when one
+  // has been merged.
+  template <Side side, class Sweep, class Queries, class Visit>
+  void sweep_from(Sweep& sweep, Queries& queries, const Visit& visit) const
+  {
+    constexpr std::size_t far_ahead = 24, ahead = 16, near_ahead = 8;
+    const std::size_t size = critical_vertices_.size();
+    const auto place = [&](std::size_t i) { return side == Side::LOWER ? i : size - 1 - i; };
+    const auto critical = [&, ascending = critical_vertices_.ascending().data()](std::size_t i) {
+      return ascending[place(i)];
+    };
+    for(std::size_t i = 0; i != size; ++i)
+    {
+      if(i + far_ahead < size)
+        critical_vertices_.prefetch(critical(i + far_ahead));
+      if(i + ahead < size)
+        sweep.prefetch_classes(critical(i + ahead));
+      if(i + near_ahead < size)
+        sweep.prefetch_components(critical(i + near_ahead));
+      sweep.merge_at(critical(i));
+      visit(critical(i));
+      queries.template ask_beyond<side>(place(i), sweep);
+    }
+    sweep.merge_last_contours();
+  }
+
+  // Whether paths are best walked in the order of the mesh. Where critical vertices are few, paths are long, and cuts
+  // change most of their ends.
+  bool has_many_critical_vertices() const
+  {
+    return critical_vertices_.size() > slab_.complex().number_of_vertices() / 64;
+  }
+
+  // The Euler characteristic that the surface has if its components, with and without border, are spheres, disks, and
+  // single vertices. Those have no loops, and all other ones smaller Euler characteristics.
+  std::ptrdiff_t largest_euler_characteristic(const Merge_tree& join_tree) const
+  {
+    std::ptrdiff_t result = 0;
+    for(const Swept_index i : critical_vertices_.indices())
+    {
+      if(join_tree.parents[node_of(i)] != no_index)
+        continue;
+      const bool is_sphere =
+        !join_tree.is_border_reached[node_of(i)] && critical_vertices_.number_of_lower_sectors(i) != 0;
+      result += is_sphere ? 2 : 1;
+    }
+    return result;
+  }
+
+  template <class Queries>
+  void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree, Queries& queries) const
+  {
+    Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
+    sweep_from<Side::UPPER>(sweep, queries, [&](Swept_index critical) {
+      if(surgery.can_close_loop(critical))
+      {
+        surgery.visit_loop_contours(
+          critical, [&](Tree_node sublevel_class, const Plain_vector<Halfedge_index>& crossed_edges, bool has_border) {
+            sweep.cut(critical, sublevel_class, crossed_edges, has_border);
+          });
+      }
+    });
+  }
+
+  // Cuts do not change the join tree but for their own nodes.
+  static void insert_cuts(const Contour_cuts& cuts, Shrinking_tree& join_tree)
+  {
+    join_tree.resize(cuts.number_of_nodes());
+    for(const Cut_index cut : cuts.cuts())
+    {
+      join_tree.put_above(cuts.sublevel_class(cut), cuts.node_below(cut));
+      join_tree.put_leaf_below(node_of(cuts.critical_vertex(cut)), cuts.node_above(cut));
+    }
+  }
+
+  // The first step to each node from its parent in the split tree, in the highest of the sectors that lead
+  // there. No node has two parents, so all sectors that lead to it are at one vertex.
+  template <class ConcurrencyTag>
+  Indexed_vector<Tree_node, Ascending_step> find_first_steps(
+    const Indexed_vector<Sector_index, Tree_node>& superlevel_classes,
+    Index number_of_nodes) const
+  {
+    constexpr Index ahead = 24;
+    Indexed_vector<Tree_node, Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
+    const auto find = [&](Sector_index begin, Sector_index end) {
+      for(const Sector_index i : Index_range(begin, end))
+      {
+        const Sector_index later(i.number() + ahead);
+        if(later < end)
+          prefetch_element(first_steps, superlevel_classes[later]);
+        const Link_sector& sector = critical_vertices_.sector(Side::UPPER, i);
+        Ascending_step& step = first_steps[superlevel_classes[i]];
+        if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
+          step = {sector.edge, sector.extreme_neighbor};
+      }
+    };
+    for_each_block<ConcurrencyTag>(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
+      find(critical_vertices_.first_sector(Swept_index(begin), Side::UPPER),
+           critical_vertices_.first_sector(Swept_index(end), Side::UPPER));
+    });
+    return first_steps;
+  }
+
+  const Slab<Complex>& slab_;
+  const Order& order_;
+  const Swept_vertices& critical_vertices_;
+};
 
 // Critical sets and ascending paths (the paper, Sections 4.1 to 4.5): the contours just below each critical vertex
 // are registered at the edges that they cross; then a path climbs from each upper sector of each critical vertex to

@@ -11,16 +11,118 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/graph/Leaf_queue.h>
 #include <CGAL/Reeb_graph/internal/graph/read_graph.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <queue>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+template <class NamedParameters>
+std::vector<double> read_place_weights(std::size_t number_of_places, const NamedParameters& np)
+{
+  const auto parameter = parameters::get_parameter(np, place_weights);
+  std::vector<double> weights;
+  if constexpr(is_given<decltype(parameter)>)
+  {
+    weights.assign(std::begin(parameter), std::end(parameter));
+    if(weights.size() != number_of_places)
+      throw Parameter_error(std::to_string(weights.size()) + " weights given for " + std::to_string(number_of_places)
+                            + " nodes and arcs");
+    if(std::any_of(weights.begin(), weights.end(), [](double weight) { return std::isnan(weight); }))
+      throw Parameter_error("the weight of a place is not a number (NaN)");
+  }
+  else
+    weights.assign(number_of_places, 0);
+  return weights;
+}
+
+template <class Branch, class NamedParameters>
+double measure_of_branch(const Branch& branch, const NamedParameters& np)
+{
+  const auto& measure = parameters::get_parameter(np, branch_measure);
+  if constexpr(is_given<decltype(measure)>)
+  {
+    const double size = measure(branch);
+    if(std::isnan(size))
+      throw Parameter_error("the measure of a branch is not a number (NaN)");
+    return size;
+  }
+  else
+    return is_given<decltype(parameters::get_parameter(np, place_weights))> ? branch.weight : branch.persistence;
+}
+
+// Leaves by their measures, from the least one. A leaf that is pushed again has a new measure. Those that are there at
+// first are sorted, and only later ones are in a heap: a sweep over memory instead of jumps.
+class Leaf_queue
+{
+public:
+  typedef std::pair<double, Index> Sized_leaf;
+
+  explicit Leaf_queue(Index number_of_nodes) : measures_(number_of_nodes) {}
+
+  // A leaf whose measure is NaN is not there.
+  void push(double measure, Index leaf)
+  {
+    measures_[leaf] = measure;
+    if(std::isnan(measure))
+      return;
+    if(is_sorted_)
+      later_.emplace(measure, leaf);
+    else
+      first_.emplace_back(measure, leaf);
+  }
+
+  // To be called once, before the first pop().
+  void sort()
+  {
+    std::sort(first_.begin(), first_.end());
+    is_sorted_ = true;
+  }
+
+  // The least measure and its leaf, which stays; NaN and no_index if there is none.
+  Sized_leaf top()
+  {
+    while(next_ != first_.size() || !later_.empty())
+    {
+      const Sized_leaf& leaf = is_first() ? first_[next_] : later_.top();
+      if(measures_[leaf.second] == leaf.first)
+        return leaf;
+      pop();
+    }
+    return {std::numeric_limits<double>::quiet_NaN(), no_index};
+  }
+
+  // Removes the leaf of least measure; there has to be one.
+  void pop()
+  {
+    if(is_first())
+      ++next_;
+    else
+      later_.pop();
+  }
+
+private:
+  bool is_first() const { return later_.empty() || (next_ != first_.size() && first_[next_] < later_.top()); }
+
+  std::vector<double> measures_; // the last ones
+  std::vector<Sized_leaf> first_;
+  std::size_t next_ = 0;
+  bool is_sorted_ = false;
+  std::priority_queue<Sized_leaf, std::vector<Sized_leaf>, std::greater<Sized_leaf>> later_;
+};
 
 // A leaf arc that could be removed.
 template <class Weight>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/graph_requirements.h>
+#include <CGAL/Reeb_graph/internal/base/requirements.h>
 
 #include <cmath>
 #include <cstddef>

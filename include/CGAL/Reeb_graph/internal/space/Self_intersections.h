@@ -12,10 +12,10 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/space/Closed_triangles.h>
-#include <CGAL/Reeb_graph/internal/space/triangle_intersections.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -26,6 +26,131 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+// Triangles in space, by whose predicates it is told what intersects.
+typedef Exact_predicates_inexact_constructions_kernel Disc_kernel;
+typedef Disc_kernel::Point_3 Disc_point;
+
+typedef Box_intersection_d::Box_with_info_d<double, 3, std::size_t> Numbered_box;
+
+// A triangle that is to be, or a face. A vertex of a loop that is cut has a copy on its left and one on its right.
+template <class VertexDescriptor>
+struct Placed_triangle
+{
+  struct Corner
+  {
+    VertexDescriptor vertex;
+    int copy; // 0 if it is not cut, 1 on the left, 2 on the right
+    Disc_point point;
+  };
+  std::array<Corner, 3> corners;
+
+  Disc_kernel::Triangle_3 triangle() const { return {corners[0].point, corners[1].point, corners[2].point}; }
+};
+
+// Whether two triangles have more in common than the corners that they share, and the edge between two of these, if that
+// is one edge and no double one. A triangle without area has nothing.
+template <class VertexDescriptor>
+bool do_intersect(Placed_triangle<VertexDescriptor> a, Placed_triangle<VertexDescriptor> b, bool is_edge_double = false)
+{
+  typedef typename Placed_triangle<VertexDescriptor>::Corner Corner;
+  const auto is_same = [](const Corner& p, const Corner& q) { return p.vertex == q.vertex && p.copy == q.copy; };
+  std::size_t shared = 0; // the shared ones are put first
+  for(std::size_t i = 0; i != 3; ++i)
+    for(std::size_t j = shared; j != 3; ++j)
+    {
+      if(!is_same(a.corners[i], b.corners[j]))
+        continue;
+      std::swap(a.corners[i], a.corners[shared]);
+      std::swap(b.corners[j], b.corners[shared]);
+      ++shared;
+      break;
+    }
+  const Disc_kernel::Triangle_3 s = a.triangle(), t = b.triangle();
+  if(s.is_degenerate() || t.is_degenerate())
+    return false;
+  if(shared == 3 || (shared == 2 && is_edge_double))
+    return true;
+  if(shared == 2)
+    return CGAL::coplanar(s[0], s[1], s[2], t[2])
+        && CGAL::coplanar_orientation(s[0], s[1], s[2], t[2]) == CGAL::POSITIVE;
+  if(shared == 1)
+    return CGAL::do_intersect(s, Disc_kernel::Segment_3(t[1], t[2]))
+        || CGAL::do_intersect(t, Disc_kernel::Segment_3(s[1], s[2]));
+  return CGAL::do_intersect(s, t);
+}
+
+template <class FT>
+std::array<FT, 3> cross(const std::array<FT, 3>& a, const std::array<FT, 3>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class FT>
+FT dot(const std::array<FT, 3>& a, const std::array<FT, 3>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// A closed triangle mesh as arrays. The halfedges of an edge are 2e and 2e + 1.
+struct Closed_triangles
+{
+  typedef std::array<double, 3> Point;
+
+  std::vector<Point> points;       // by vertex
+  std::vector<Index> target, next; // by halfedge
+  std::vector<Index> face;         // by halfedge
+  std::vector<Index> outgoing;     // a halfedge that leaves a vertex; no_index if there is none
+  std::vector<Index> halfedge;     // one of each face
+
+  static Index opposite(Index h) { return h ^ 1; }
+  Index source(Index h) const { return target[h ^ 1]; }
+  Index previous(Index h) const { return next[next[h]]; }
+  // The next halfedge that leaves the same vertex, counterclockwise.
+  Index turned(Index h) const { return opposite(previous(h)); }
+  std::array<Index, 3> corners(Index f) const
+  {
+    const Index h = halfedge[f];
+    return {source(h), target[h], target[next[h]]};
+  }
+  Point way(Index u, Index v) const
+  {
+    const Point &p = points[u], &q = points[v];
+    return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  }
+
+  // Sets what is told of points, targets, and next halfedges.
+  void number_faces()
+  {
+    halfedge.reserve(next.size() / 3);
+    face.assign(next.size(), no_index);
+    outgoing.assign(points.size(), no_index);
+    for(Index h = 0; h != next.size(); ++h)
+    {
+      outgoing[source(h)] = h;
+      if(face[h] != no_index)
+        continue;
+      face[h] = face[next[h]] = face[previous(h)] = static_cast<Index>(halfedge.size());
+      halfedge.push_back(h);
+    }
+  }
+};
+
+// The triangles of a Surface_mesh that is closed and has no garbage.
+template <class SurfaceMesh>
+Closed_triangles closed_triangles(const SurfaceMesh& mesh)
+{
+  Closed_triangles result;
+  for(const auto& p : mesh.points())
+    result.points.push_back({p.x(), p.y(), p.z()});
+  for(const auto h : mesh.halfedges())
+  {
+    result.target.push_back(mesh.target(h));
+    result.next.push_back(mesh.next(h));
+  }
+  result.number_faces();
+  return result;
+}
 
 // The ball around a vertex: the faces around it, as the first layer, and in each further layer those around the vertices
 // of the one before. There is one ball at a time.

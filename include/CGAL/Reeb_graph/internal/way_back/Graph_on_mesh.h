@@ -16,12 +16,11 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
-#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/engine/walks.h>
 #include <CGAL/Reeb_graph/internal/way_back/vertex_places.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

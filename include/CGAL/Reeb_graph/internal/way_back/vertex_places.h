@@ -16,13 +16,12 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/named_parameter.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/reduce_arcs.h>
+#include <CGAL/Reeb_graph/internal/engine/write_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 

@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/union_find.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/space/Projected_segments.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
 
