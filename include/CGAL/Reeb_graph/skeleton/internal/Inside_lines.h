@@ -36,7 +36,8 @@ public:
                const Graph_chains& chains,
                const Surface_tree& tree,
                Skeleton_lines& lines,
-               double sampling_ratio)
+               double sampling_ratio,
+               bool is_self_intersecting)
     : graph_(graph),
       chains_(chains),
       tree_(tree),
@@ -54,7 +55,7 @@ public:
         bring_inside(point);
       refine(chain);
     }
-    let_loops_wind();
+    let_loops_wind(is_self_intersecting);
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
       thin(chain);
     for(auto& [index, node] : lines.nodes())
@@ -123,7 +124,7 @@ private:
   // Looks whether loops wind around the holes of the surface, and leads those that do not along it, nearer to it where that is
   // needed. Chains on loops that meet those are led so, too, as all ends are moved. A loop of the graph can be one around
   // which contours wind, as in a thick pipe that fronts pass around before they pass along: then it goes around one of them.
-  void let_loops_wind()
+  void let_loops_wind(bool is_self_intersecting)
   {
     if(loops_.cycles().empty())
       return;
@@ -142,8 +143,19 @@ private:
       return loops_.number_of_dependent(loops_.linking_numbers(polylines(), polygons));
     };
     const double least_share = 1e-6;
+    const auto nodes_before = lines_.nodes();
+    const auto lines_before = lines_.lines();
+    const auto crossings_before = number_of_crossings_;
     if(count(1) == 0)
       return;
+    if(is_self_intersecting)
+    {
+      lines_.nodes() = nodes_before;
+      lines_.lines() = lines_before;
+      number_of_crossings_ = crossings_before;
+      number_of_contractible_loops_ = loops_.number_of_dependent(rows);
+      return;
+    }
     std::size_t least = count(least_share);
     // All lines are traced in each trial: there are few where there are many handles.
     std::size_t trials = 200 / loops_.cycles().size();

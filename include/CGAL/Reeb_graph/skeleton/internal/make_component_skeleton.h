@@ -195,7 +195,7 @@ Component_skeleton make_component_skeleton(Component component,
   remove_covered_tips(graph, tree, component, options, pruning);
   Graph_chains chains(graph, pruning);
   Skeleton_lines lines(graph, chains, component, options, are_distances);
-  const Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio);
+  const Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio, result.is_self_intersecting);
   result.number_of_contractible_loops = inside.number_of_contractible_loops();
   result.number_outside = inside.number_outside();
   result.number_of_crossings = inside.number_of_crossings();
