@@ -156,7 +156,7 @@ def test_wishes():
             native = run_natively(command, [mesh, folder / "field.txt"])
             ours = result()
             if mesh.name == "genus_3.off" and command.startswith(("compute", "curves")) and "page.html" in ours["files"]:
-                # It is symmetric: of two lines of an arc that mirror each other, a page may show either.
+                # It is symmetric: a point of some line of an arc differs. Perhaps either of two that mirror each other is right.
                 assert ours["files"].pop("page.html") and native["files"].pop("page.html"), title
             assert_same(title, ours, native)
             is_failure_shown = browser.find_element(By.ID, "failure").is_displayed()
