@@ -14,11 +14,13 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -185,16 +187,25 @@ std::vector<std::array<float, 3>> random_corners(Random& random)
   return corners;
 }
 
+// The bytes of a number, little-endian on any machine.
+template <class Number>
+std::string bytes_of(Number number)
+{
+  std::string bytes(sizeof(Number), '\0');
+  std::memcpy(&bytes[0], &number, sizeof(Number));
+  if(is_machine_big_endian())
+    std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
 void write_binary_stl(const std::string& path, const std::vector<std::array<float, 3>>& corners)
 {
-  std::string bytes(84, ' ');
-  encode(static_cast<std::uint32_t>(corners.size() / 3), &bytes[80]);
+  std::string bytes = std::string(80, ' ') + bytes_of(static_cast<std::uint32_t>(corners.size() / 3));
   for(std::size_t i = 0; i < corners.size(); ++i)
   {
     bytes.append(i % 3 == 0 ? 12 : 0, '\0'); // the normal
-    char coordinate[4];
     for(const float number : corners[i])
-      bytes.append(coordinate, encode(number, coordinate));
+      bytes += bytes_of(number);
     bytes.append(i % 3 == 2 ? 2 : 0, '\0');
   }
   std::ofstream(path, std::ios::binary) << bytes;
