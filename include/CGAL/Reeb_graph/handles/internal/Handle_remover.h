@@ -480,7 +480,7 @@ private:
     {
       is_at_border = is_at_border || CGAL::is_border(target(h, mesh_), mesh_).has_value();
       row.vertices.push_back(source(h, mesh_));
-      const auto& point = get(point_map_, source(h, mesh_));
+      const auto point = get(point_map_, source(h, mesh_));
       row.points.push_back({to_double(point.x()), to_double(point.y()), to_double(point.z())});
     }
     if(!loop.is_simple || is_at_border)
