@@ -34,7 +34,6 @@ namespace fs = std::filesystem;
 
 namespace reeb_graph_program {
 namespace {
-// The files to be removed when a signal ends the program.
 // The files to be removed when a signal ends the program; more than any command writes.
 std::array<std::atomic<const char*>, 64> partial_files = {};
 
