@@ -254,7 +254,7 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
   begin_group(*command, "Output");
   add_output_files(*command, options.output_paths,
                    "Write the skeleton to these files, .swc (trees, in which each loop is cut once), .vtp, "
-                   ".polylines.txt, or .graphml");
+                   ".polylines.txt, .graphml, or .csv (a line for each branch, with what is measured of it)");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);

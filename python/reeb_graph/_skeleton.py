@@ -35,6 +35,10 @@ class Skeleton:
         Components, genus, arcs, ends, junctions, loops and hidden handles, and what certifies the lines: vertices outside
         of the surface, edges that cross it, loops that can be pulled to a point inside, and components that intersect
         themselves.
+    branches : dict from str to arrays with a number for each arc
+        Its `component`, `parent` (-1 at a root), `from` and `to`, `length`, `tortuosity` (NaN if it is closed),
+        `strahler`, `radius` and `inscribed_radius` as means by length, `least_radius`, `greatest_radius`, `volume`, and
+        `area` of the surface. Parents and Strahler numbers are those of the trees of an SWC file.
     """
 
     points: np.ndarray
@@ -44,6 +48,11 @@ class Skeleton:
     arcs: list[np.ndarray]
     vertex_map: np.ndarray
     counts: dict[str, int]
+    branches: dict[str, np.ndarray]
+
+    @property
+    def cable_length(self) -> float:
+        return float(self.branches["length"].sum())
 
     @property
     def n_loops(self) -> int:
@@ -66,12 +75,13 @@ class Skeleton:
         return graph
 
     def write(self, *files: str | os.PathLike[str]) -> None:
-        """Write the skeleton to files: `.swc`, `.vtp`, `.polylines.txt`, or `.graphml`.
+        """Write the skeleton to files: `.swc`, `.vtp`, `.polylines.txt`, `.graphml`, or `.csv`, which has `branches`.
 
         In SWC, a loop is cut once: a comment `# CYCLE_BREAK reconnect DUPLICATE ORIGINAL` names the copy of a point.
         """
         for file in files:
             arrays = self.radii.tolist(), self.inscribed_radii.tolist(), [arc.tolist() for arc in self.arcs]
+            arrays = *arrays, self.branches["area"].tolist()
             _core.write_skeleton(os.fspath(file), np.require(self.points, np.float64, ["C", "ALIGNED"]), *arrays)
 
     def __repr__(self) -> str:
@@ -123,7 +133,7 @@ def skeleton(
     repairs = _core.RepairOptions(True, None, True, False, not strict, True, float(least_piece), 0, False)
     arguments = mesh.checked(number), number, values, settings, repairs
     found = run(_core.skeleton, *arguments, threads=threads, progress=progress, name="skeleton")
-    of_points, radii, inscribed_radii, arcs, vertex_map, counts = found
+    of_points, radii, inscribed_radii, arcs, vertex_map, counts, branches = found
     pairs = [np.column_stack([arc[:-1], arc[1:]]) for arc in arcs]
     edges = np.concatenate(pairs) if pairs else np.zeros((0, 2), dtype=np.int64)
-    return Skeleton(of_points, edges, radii, inscribed_radii, arcs, vertex_map, counts)
+    return Skeleton(of_points, edges, radii, inscribed_radii, arcs, vertex_map, counts, branches)

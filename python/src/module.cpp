@@ -42,6 +42,7 @@
 #include <memory>
 #include <mutex>
 #include <sstream>
+#include <type_traits>
 #include <variant>
 
 // The module reeb_graph._core, on which the Python of the package reeb_graph stands: numbers and arrays only.
@@ -511,6 +512,34 @@ py::object repair(const Mesh_arrays& arrays, std::size_t number_of_points, const
 }
 
 // Points, radii, inscribed radii, arcs, the point of each vertex or -1, and the numbers that certify them.
+// A column for each thing that is measured of branches, where -1 and NaN stand for what there is not.
+py::dict columns_of(const std::vector<CGAL::Reeb_graph::Skeleton_branch>& branches)
+{
+  typedef CGAL::Reeb_graph::Skeleton_branch Branch;
+  py::dict columns;
+  const auto add = [&](const char* name, const auto& member) {
+    typedef std::decay_t<decltype(Branch().*member)> Number;
+    std::vector<std::conditional_t<std::is_integral_v<Number>, std::int64_t, Number>> column;
+    for(const Branch& branch : branches)
+      column.push_back(branch.*member); // the largest number becomes -1
+    columns[name] = to_object(column);
+  };
+  add("component", &Branch::component);
+  add("parent", &Branch::parent);
+  add("from", &Branch::first);
+  add("to", &Branch::last);
+  add("length", &Branch::length);
+  add("tortuosity", &Branch::tortuosity);
+  add("strahler", &Branch::order);
+  add("radius", &Branch::radius);
+  add("least_radius", &Branch::least_radius);
+  add("greatest_radius", &Branch::greatest_radius);
+  add("inscribed_radius", &Branch::inscribed_radius);
+  add("volume", &Branch::volume);
+  add("area", &Branch::area);
+  return columns;
+}
+
 py::object skeleton(const Mesh_arrays& arrays,
                     std::size_t number_of_vertices,
                     const std::optional<Value_array>& scalars,
@@ -546,22 +575,36 @@ py::object skeleton(const Mesh_arrays& arrays,
     {"vertices_outside", known.number_of_vertices_outside},
     {"crossing_edges", known.number_of_crossing_edges},
     {"self_intersecting_components", known.number_of_crossing_components}};
-  return py::make_tuple(to_object(result.points), to_object(result.radii), to_object(result.inscribed_radii),
-                        to_object(result.arcs), to_object(vertex_map), py::cast(numbers));
+  std::vector<Point> points;
+  std::vector<double> radii, inscribed_radii;
+  for(const auto v : CGAL::make_range(vertices(result.graph)))
+  {
+    points.push_back(result.graph[v].point);
+    radii.push_back(result.graph[v].radius);
+    inscribed_radii.push_back(result.graph[v].inscribed_radius);
+  }
+  return py::make_tuple(to_object(points), to_object(radii), to_object(inscribed_radii), to_object(result.arcs),
+                        to_object(vertex_map), py::cast(numbers), columns_of(result.branches));
 }
 
 void write_skeleton_file(const std::filesystem::path& path,
                          const Value_array& points,
                          const std::vector<double>& radii,
                          const std::vector<double>& inscribed_radii,
-                         const std::vector<Numbers>& arcs)
+                         const std::vector<Numbers>& arcs,
+                         const std::vector<double>& areas)
 {
   Skeleton skeleton;
-  skeleton.points.resize(radii.size());
-  copy_points(points, skeleton.points);
-  skeleton.radii = radii;
-  skeleton.inscribed_radii = inscribed_radii;
-  skeleton.arcs = arcs;
+  std::vector<Point> places(radii.size());
+  copy_points(points, places);
+  for(std::size_t v = 0; v != radii.size(); ++v)
+    skeleton.graph[add_vertex(skeleton.graph)] = {places[v], {}, radii[v], inscribed_radii[v]};
+  for(std::size_t arc = 0; arc != arcs.size(); ++arc)
+    for(std::size_t i = 1; i != arcs[arc].size(); ++i)
+      add_edge(arcs[arc][i - 1], arcs[arc][i], {arc}, skeleton.graph);
+  complete(skeleton);
+  for(std::size_t arc = 0; arc != arcs.size(); ++arc)
+    skeleton.branches[arc].area = areas.at(arc);
   write_skeleton(path, skeleton);
 }
 

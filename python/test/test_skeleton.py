@@ -76,7 +76,7 @@ def test_files_as_those_of_the_program(tmp_path):
     triangles, points = TORUS
     points = points.astype(np.float32).astype(float)
     meshes.write_off(tmp_path / "mesh.off", triangles, points)
-    names = [f"s{suffix}" for suffix in (".swc", ".vtp", ".polylines.txt", ".graphml")]
+    names = [f"s{suffix}" for suffix in (".swc", ".vtp", ".polylines.txt", ".graphml", ".csv")]
     (tmp_path / "own").mkdir()
     reeb_graph.skeleton(triangles, points).write(*(tmp_path / "own" / name for name in names))
     outputs = [word for name in names for word in ("--output", tmp_path / name)]
@@ -84,7 +84,30 @@ def test_files_as_those_of_the_program(tmp_path):
     for name in names:
         assert (tmp_path / "own" / name).read_bytes() == (tmp_path / name).read_bytes()
     with pytest.raises(ValueError, match="swc"):
-        reeb_graph.skeleton(triangles, points).write(tmp_path / "s.csv")
+        reeb_graph.skeleton(triangles, points).write(tmp_path / "s.txt")
+
+
+@pytest.mark.parametrize("mesh", [TORUS, TUBE, two_parts()])
+def test_branches(tmp_path, mesh):
+    triangles, points = mesh
+    skeleton = reeb_graph.skeleton(triangles, points)
+    branches = skeleton.branches
+    assert all(column.shape == (len(skeleton.arcs),) for column in branches.values())
+    steps = [np.linalg.norm(np.diff(skeleton.points[arc], axis=0), axis=1) for arc in skeleton.arcs]
+    assert np.allclose(branches["length"], [step.sum() for step in steps])
+    assert np.isclose(skeleton.cable_length, np.concatenate(steps).sum())
+    ends = np.array([[arc[0], arc[-1]] for arc in skeleton.arcs])
+    assert np.array_equal(np.column_stack([branches["from"], branches["to"]]), ends)
+    assert np.array_equal(np.isnan(branches["tortuosity"]), ends[:, 0] == ends[:, 1])
+    corners = points[triangles]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    assert np.isclose(branches["area"].sum(), areas.sum())
+    assert branches["parent"].max() < len(skeleton.arcs) and branches["parent"].min() == -1
+    assert branches["component"].max() == skeleton.counts["components"] - 1
+    skeleton.write(tmp_path / "s.csv")
+    table = np.genfromtxt(tmp_path / "s.csv", delimiter=",", names=True)
+    for name, column in branches.items():
+        assert np.array_equal(np.nan_to_num(np.atleast_1d(table[name]), nan=-1), np.nan_to_num(column, nan=-1))
 
 
 def test_swc_is_a_tree_with_a_cut(tmp_path):

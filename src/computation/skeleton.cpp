@@ -12,44 +12,20 @@
 
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/find_branch_faces.h>
+
+#include <boost/property_map/vector_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
-#include <map>
 #include <queue>
 #include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
-double distance(const Skeleton& skeleton, std::size_t a, std::size_t b)
-{
-  const Point &p = skeleton.points[a], &q = skeleton.points[b];
-  return CGAL::Reeb_graph::internal::length_of(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
-}
-
-Skeleton_arc_row row_of(const Skeleton& skeleton, const std::vector<std::size_t>& arc, std::size_t component)
-{
-  Skeleton_arc_row row = {arc.front(), arc.back(), component};
-  row.least_radius = row.greatest_radius = skeleton.radii[arc.front()];
-  for(std::size_t i = 1; i != arc.size(); ++i)
-  {
-    const std::size_t a = arc[i - 1], b = arc[i];
-    const double length = distance(skeleton, a, b);
-    row.length += length;
-    row.radius += length * (skeleton.radii[a] + skeleton.radii[b]) / 2;
-    row.inscribed_radius += length * (skeleton.inscribed_radii[a] + skeleton.inscribed_radii[b]) / 2;
-    row.least_radius = std::min(row.least_radius, skeleton.radii[b]);
-    row.greatest_radius = std::max(row.greatest_radius, skeleton.radii[b]);
-  }
-  if(row.length > 0)
-  {
-    row.radius /= row.length;
-    row.inscribed_radius /= row.length;
-  }
-  return row;
-}
-
 // A point and its distance along a line, of which the nearest comes first out of a queue.
 typedef std::pair<double, std::size_t> Way;
 
@@ -80,12 +56,19 @@ std::vector<std::size_t> spread(const std::vector<std::vector<Way>>& ways,
 
 } // namespace
 
+void complete(Skeleton& skeleton)
+{
+  skeleton.arcs = CGAL::Reeb_graph::skeleton_arcs(skeleton.graph);
+  skeleton.trees = CGAL::Reeb_graph::skeleton_trees(skeleton.graph);
+  skeleton.branches = CGAL::Reeb_graph::measure_branches(skeleton.graph, skeleton.trees);
+}
+
 Skeleton extract_skeleton(const Surface& surface,
                           const std::optional<Scalar_map>& scalar_map,
                           const Skeleton_settings& settings)
 {
-  CGAL::Reeb_graph::Curve_skeleton<Surface> graph;
   Skeleton skeleton;
+  auto& graph = skeleton.graph;
   Progress_bar progress_bar("skeleton");
   const auto np = CGAL::parameters::pruning_ratio(settings.pruning_ratio)
                     .sampling_ratio(settings.sampling_ratio)
@@ -96,74 +79,58 @@ Skeleton extract_skeleton(const Surface& surface,
                          : CGAL::Reeb_graph::extract_curve_skeleton(surface, graph, np);
   skeleton.vertex_map.assign(surface.num_vertices(), Skeleton::none);
   for(const auto v : CGAL::make_range(vertices(graph)))
-  {
-    skeleton.points.push_back(graph[v].point);
-    skeleton.radii.push_back(graph[v].radius);
-    skeleton.inscribed_radii.push_back(graph[v].inscribed_radius);
     for(const Surface::Vertex_index of_surface : graph[v].vertices)
       skeleton.vertex_map[of_surface] = v;
+  complete(skeleton);
+  skeleton.face_arcs.resize(surface.num_faces());
+  CGAL::Reeb_graph::find_branch_faces(
+    surface, graph, boost::make_iterator_property_map(skeleton.face_arcs.begin(), get(CGAL::face_index, surface)));
+  for(auto& branch : skeleton.branches)
+    branch.area = 0;
+  for(const Surface::Face_index f : surface.faces())
+  {
+    std::vector<Point> corners;
+    for(const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(f)))
+      corners.push_back(surface.point(v));
+    skeleton.branches[skeleton.face_arcs[f]].area +=
+      CGAL::Reeb_graph::internal::area_of(corners[0], corners[1], corners[2]);
   }
-  skeleton.arcs = CGAL::Reeb_graph::skeleton_arcs(graph);
   return skeleton;
 }
 
-std::vector<Arc_place> places_of_arcs(const Skeleton& skeleton)
+Skeleton_numbers numbers_of(const Skeleton& skeleton)
 {
-  std::map<std::size_t, std::vector<std::size_t>> arcs_of_nodes;
-  for(std::size_t arc = 0; arc != skeleton.arcs.size(); ++arc)
-    for(const std::size_t node : {skeleton.arcs[arc].front(), skeleton.arcs[arc].back()})
-      arcs_of_nodes[node].push_back(arc);
-  std::vector<Arc_place> places(skeleton.arcs.size());
-  std::vector<bool> is_placed(skeleton.arcs.size(), false);
-  std::size_t number_of_components = 0;
-  for(std::size_t root = 0; root != skeleton.arcs.size(); ++root)
+  Skeleton_numbers numbers;
+  double sum = 0;
+  std::size_t number_of_open = 0;
+  for(const auto& branch : skeleton.branches)
   {
-    if(is_placed[root])
+    numbers.cable_length += branch.length;
+    if(std::isnan(branch.tortuosity))
       continue;
-    struct Step
-    {
-      std::size_t node, depth;
-    };
-    std::vector<Step> queue = {{skeleton.arcs[root].front(), 0}};
-    for(std::size_t i = 0; i != queue.size(); ++i)
-    {
-      const Step step = queue[i];
-      for(const std::size_t arc : arcs_of_nodes[step.node])
-      {
-        if(is_placed[arc])
-          continue;
-        is_placed[arc] = true;
-        places[arc] = {number_of_components, step.depth};
-        const auto& points = skeleton.arcs[arc];
-        queue.push_back({points.front() == step.node ? points.back() : points.front(), step.depth + 1});
-      }
-    }
-    ++number_of_components;
+    sum += branch.tortuosity;
+    ++number_of_open;
   }
-  return places;
-}
-
-std::vector<Skeleton_arc_row> rows_of_arcs(const Skeleton& skeleton)
-{
-  const std::vector<Arc_place> places = places_of_arcs(skeleton);
-  std::vector<Skeleton_arc_row> rows;
-  for(std::size_t arc = 0; arc != skeleton.arcs.size(); ++arc)
-    rows.push_back(row_of(skeleton, skeleton.arcs[arc], places[arc].component));
-  return rows;
+  if(number_of_open > 0)
+    numbers.mean_tortuosity = sum / static_cast<double>(number_of_open);
+  for(const std::size_t order : CGAL::Reeb_graph::strahler_orders(skeleton.trees))
+    numbers.order = (std::max)(numbers.order, order);
+  return numbers;
 }
 
 std::vector<double> distances_along_lines(const Skeleton& skeleton)
 {
-  std::vector<std::vector<Way>> ways(skeleton.points.size());
-  for(const auto& arc : skeleton.arcs)
-    for(std::size_t i = 1; i != arc.size(); ++i)
-    {
-      const double length = distance(skeleton, arc[i - 1], arc[i]);
-      ways[arc[i - 1]].emplace_back(length, arc[i]);
-      ways[arc[i]].emplace_back(length, arc[i - 1]);
-    }
-  std::vector<double> distances(skeleton.points.size(), 0);
-  std::vector<int> marks(skeleton.points.size(), 0);
+  const auto& graph = skeleton.graph;
+  std::vector<std::vector<Way>> ways(num_vertices(graph));
+  for(const auto e : CGAL::make_range(edges(graph)))
+  {
+    const std::size_t a = source(e, graph), b = target(e, graph);
+    const double length = CGAL::Reeb_graph::internal::distance_between(graph[a].point, graph[b].point);
+    ways[a].emplace_back(length, b);
+    ways[b].emplace_back(length, a);
+  }
+  std::vector<double> distances(ways.size(), 0);
+  std::vector<int> marks(ways.size(), 0);
   for(const auto& arc : skeleton.arcs)
   {
     if(marks[arc.front()] != 0)
@@ -184,7 +151,7 @@ std::vector<Polyline> polylines_of(const Skeleton& skeleton)
   {
     polylines.emplace_back();
     for(const std::size_t v : arc)
-      polylines.back().push_back(skeleton.points[v]);
+      polylines.back().push_back(skeleton.graph[v].point);
   }
   return polylines;
 }

@@ -12,6 +12,8 @@
 #include "base/surface.h"
 
 #include <CGAL/Reeb_graph/skeleton/Curve_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/measure_branches.h>
+#include <CGAL/Reeb_graph/skeleton/skeleton_trees.h>
 
 #include <cstddef>
 #include <limits>
@@ -31,10 +33,12 @@ struct Skeleton
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  std::vector<Point> points;
-  std::vector<double> radii, inscribed_radii;
+  CGAL::Reeb_graph::Curve_skeleton<Surface> graph;
   std::vector<std::vector<std::size_t>> arcs; // points from node to node
-  std::vector<std::size_t> vertex_map;        // the point of each vertex of the surface, or none
+  std::vector<CGAL::Reeb_graph::Skeleton_record> trees;
+  std::vector<CGAL::Reeb_graph::Skeleton_branch> branches; // what is measured of each arc
+  std::vector<std::size_t> vertex_map;                     // the point of each vertex of the surface, or none
+  std::vector<std::size_t> face_arcs;                      // of each face
   CGAL::Reeb_graph::Skeleton_certificate certificate = {};
 };
 
@@ -43,20 +47,17 @@ Skeleton extract_skeleton(const Surface& surface,
                           const std::optional<Scalar_map>& scalar_map,
                           const Skeleton_settings& settings);
 
-// The component of each arc, in the order of their first arcs, and how many arcs lead there from the first node of that.
-struct Arc_place
-{
-  std::size_t component = 0, depth = 0;
-};
-std::vector<Arc_place> places_of_arcs(const Skeleton& skeleton);
+// Finds the arcs, the trees, and what is measured of them but for areas.
+void complete(Skeleton& skeleton);
 
-// What tables say of an arc. Radii are means by length, but for the least and the greatest one.
-struct Skeleton_arc_row
+// What is said of all branches.
+struct Skeleton_numbers
 {
-  std::size_t from, to, component;
-  double length = 0, radius = 0, least_radius = 0, greatest_radius = 0, inscribed_radius = 0;
+  double cable_length = 0;
+  std::optional<double> mean_tortuosity; // of arcs that are not closed, if there are any
+  std::size_t order = 0;                 // the highest Strahler number
 };
-std::vector<Skeleton_arc_row> rows_of_arcs(const Skeleton& skeleton);
+Skeleton_numbers numbers_of(const Skeleton& skeleton);
 
 // The distance of each point along the lines from a root of its component, an end if there is one.
 std::vector<double> distances_along_lines(const Skeleton& skeleton);

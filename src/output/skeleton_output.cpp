@@ -13,114 +13,40 @@
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/IO/vtp.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
+#include <CGAL/boost/graph/iterator.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <ostream>
-#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
 namespace {
 std::string format_of_skeleton(const std::filesystem::path& path)
 {
-  return ending_of(path, "a skeleton", {".swc", ".vtp", ".polylines.txt", ".graphml"});
+  return ending_of(path, "a skeleton", {".swc", ".vtp", ".polylines.txt", ".graphml", ".csv"});
 }
-
-// The records of an SWC file: trees, whose parents come first. An edge that would close a loop ends at a copy of the
-// point that it leads to.
-class Swc_trees
-{
-public:
-  struct Record
-  {
-    std::size_t point;
-    std::size_t parent; // as the number of its record, from 1; 0 for none
-  };
-
-  explicit Swc_trees(const Skeleton& skeleton)
-    : edges_of_points_(skeleton.points.size()),
-      numbers_(skeleton.points.size(), 0)
-  {
-    for(const auto& arc : skeleton.arcs)
-      for(std::size_t i = 1; i != arc.size(); ++i)
-      {
-        for(const std::size_t v : {arc[i - 1], arc[i]})
-          edges_of_points_[v].push_back(ends_.size());
-        ends_.emplace_back(arc[i - 1], arc[i]);
-      }
-    is_passed_.assign(ends_.size(), false);
-    for(const auto& arc : skeleton.arcs)
-      if(numbers_[arc.front()] == 0)
-        add_tree(arc.front());
-  }
-
-  const std::vector<Record>& records() const { return records_; }
-  // Copies, and what they are copies of, by the numbers of their records.
-  const std::vector<std::pair<std::size_t, std::size_t>>& breaks() const { return breaks_; }
-
-private:
-  void add(std::size_t point, std::size_t parent)
-  {
-    records_.push_back({point, parent});
-    if(numbers_[point] == 0)
-      numbers_[point] = records_.size();
-    else
-      breaks_.emplace_back(records_.size(), numbers_[point]);
-  }
-
-  // Depth first, so that the points of an arc follow each other.
-  void add_tree(std::size_t root)
-  {
-    add(root, 0);
-    std::vector<std::size_t> path = {root};
-    while(!path.empty())
-    {
-      const std::size_t v = path.back();
-      std::vector<std::size_t>& edges = edges_of_points_[v];
-      while(!edges.empty() && is_passed_[edges.back()])
-        edges.pop_back();
-      if(edges.empty())
-      {
-        path.pop_back();
-        continue;
-      }
-      const auto [a, b] = ends_[edges.back()];
-      is_passed_[edges.back()] = true;
-      const std::size_t next = a == v ? b : a;
-      const bool is_new = numbers_[next] == 0;
-      add(next, numbers_[v]);
-      if(is_new)
-        path.push_back(next);
-    }
-  }
-
-  std::vector<std::pair<std::size_t, std::size_t>> ends_; // of edges
-  std::vector<std::vector<std::size_t>> edges_of_points_;
-  std::vector<bool> is_passed_;
-  std::vector<std::size_t> numbers_;
-  std::vector<Record> records_;
-  std::vector<std::pair<std::size_t, std::size_t>> breaks_;
-};
 
 void write_swc(std::ostream& out, const Skeleton& skeleton)
 {
   const CGAL::Reeb_graph::internal::Classic_locale classic_locale(out);
   out.precision(std::numeric_limits<double>::max_digits10);
-  const Swc_trees trees(skeleton);
   out << "# id type x y z radius parent\n";
-  for(const auto& [duplicate, original] : trees.breaks())
-    out << "# CYCLE_BREAK reconnect " << duplicate << ' ' << original << '\n';
-  for(std::size_t i = 0; i != trees.records().size(); ++i)
+  const auto& trees = skeleton.trees;
+  for(std::size_t i = 0; i != trees.size(); ++i)
+    if(trees[i].original != Skeleton::none)
+      out << "# CYCLE_BREAK reconnect " << i + 1 << ' ' << trees[i].original + 1 << '\n';
+  for(std::size_t i = 0; i != trees.size(); ++i)
   {
-    const auto& [v, parent] = trees.records()[i];
-    const Point& p = skeleton.points[v];
-    out << i + 1 << " 0 " << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << skeleton.radii[v] << ' ';
-    if(parent == 0)
+    const auto& point = skeleton.graph[trees[i].vertex];
+    const Point& p = point.point;
+    out << i + 1 << " 0 " << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << point.radius << ' ';
+    if(trees[i].parent == Skeleton::none)
       out << "-1\n";
     else
-      out << parent << '\n';
+      out << trees[i].parent + 1 << '\n';
   }
 }
 
@@ -128,10 +54,13 @@ void write_swc(std::ostream& out, const Skeleton& skeleton)
 void write_vtp(std::ostream& out, const Skeleton& skeleton)
 {
   CGAL::Reeb_graph::internal::Vtp_document::Cells lines;
-  std::vector<double> coordinates;
-  for(const Point& p : skeleton.points)
-    CGAL::Reeb_graph::internal::add_coordinates(p, coordinates);
-  const std::vector<Arc_place> places = places_of_arcs(skeleton);
+  std::vector<double> coordinates, radii, inscribed_radii;
+  for(const auto v : CGAL::make_range(vertices(skeleton.graph)))
+  {
+    CGAL::Reeb_graph::internal::add_coordinates(skeleton.graph[v].point, coordinates);
+    radii.push_back(skeleton.graph[v].radius);
+    inscribed_radii.push_back(skeleton.graph[v].inscribed_radius);
+  }
   std::vector<std::int64_t> arcs, components, depths, zeros;
   for(std::size_t arc = 0; arc != skeleton.arcs.size(); ++arc)
   {
@@ -139,14 +68,14 @@ void write_vtp(std::ostream& out, const Skeleton& skeleton)
       lines.add_point(v);
     lines.end_cell();
     arcs.push_back(static_cast<std::int64_t>(arc));
-    components.push_back(static_cast<std::int64_t>(places[arc].component));
-    depths.push_back(static_cast<std::int64_t>(places[arc].depth));
+    components.push_back(static_cast<std::int64_t>(skeleton.branches[arc].component));
+    depths.push_back(static_cast<std::int64_t>(skeleton.branches[arc].depth));
     zeros.push_back(0);
   }
-  CGAL::Reeb_graph::internal::Vtp_document document(out, skeleton.points.size(), {}, lines, {});
+  CGAL::Reeb_graph::internal::Vtp_document document(out, radii.size(), {}, lines, {});
   document.write_section("PointData", "Radius", [&] {
-    document.write_array("Radius", skeleton.radii);
-    document.write_array("MaximumInscribedSphereRadius", skeleton.inscribed_radii);
+    document.write_array("Radius", radii);
+    document.write_array("MaximumInscribedSphereRadius", inscribed_radii);
   });
   document.write_section("CellData", "GroupIds", [&] {
     document.write_array("GroupIds", arcs);
@@ -167,18 +96,42 @@ void write_graphml(std::ostream& out, const Skeleton& skeleton)
   for(const char* name : {"x", "y", "z", "radius", "inscribed_radius"})
     out << "<key id=\"" << name << "\" for=\"node\" attr.name=\"" << name << "\" attr.type=\"double\"/>\n";
   out << "<key id=\"arc\" for=\"edge\" attr.name=\"arc\" attr.type=\"long\"/>\n<graph edgedefault=\"undirected\">\n";
-  for(std::size_t v = 0; v != skeleton.points.size(); ++v)
+  for(const auto v : CGAL::make_range(vertices(skeleton.graph)))
   {
-    const Point& p = skeleton.points[v];
+    const auto& point = skeleton.graph[v];
+    const Point& p = point.point;
     out << "<node id=\"" << v << "\"><data key=\"x\">" << p.x() << "</data><data key=\"y\">" << p.y()
-        << "</data><data key=\"z\">" << p.z() << "</data><data key=\"radius\">" << skeleton.radii[v]
-        << "</data><data key=\"inscribed_radius\">" << skeleton.inscribed_radii[v] << "</data></node>\n";
+        << "</data><data key=\"z\">" << p.z() << "</data><data key=\"radius\">" << point.radius
+        << "</data><data key=\"inscribed_radius\">" << point.inscribed_radius << "</data></node>\n";
   }
-  for(std::size_t arc = 0; arc != skeleton.arcs.size(); ++arc)
-    for(std::size_t i = 1; i != skeleton.arcs[arc].size(); ++i)
-      out << "<edge source=\"" << skeleton.arcs[arc][i - 1] << "\" target=\"" << skeleton.arcs[arc][i]
-          << "\"><data key=\"arc\">" << arc << "</data></edge>\n";
+  for(const auto e : CGAL::make_range(edges(skeleton.graph)))
+    out << "<edge source=\"" << source(e, skeleton.graph) << "\" target=\"" << target(e, skeleton.graph)
+        << "\"><data key=\"arc\">" << skeleton.graph[e].arc << "</data></edge>\n";
   out << "</graph>\n</graphml>\n";
+}
+
+// A line for each branch. What there is not is empty.
+void write_csv(std::ostream& out, const Skeleton& skeleton)
+{
+  CGAL::Reeb_graph::internal::Text_output text(out);
+  text << "branch,component,parent,from,to,length,tortuosity,strahler,radius,least_radius,greatest_radius,"
+          "inscribed_radius,volume,area\n";
+  for(std::size_t i = 0; i != skeleton.branches.size(); ++i)
+  {
+    const auto& branch = skeleton.branches[i];
+    text << i << ',' << branch.component << ',';
+    if(branch.parent != Skeleton::none)
+      text << branch.parent;
+    text << ',' << branch.first << ',' << branch.last << ',' << branch.length << ',';
+    if(!std::isnan(branch.tortuosity))
+      text << branch.tortuosity;
+    text << ',' << branch.order;
+    for(const double x : {branch.radius, branch.least_radius, branch.greatest_radius, branch.inscribed_radius,
+                          branch.volume, branch.area})
+      text << ',' << x;
+    text << '\n';
+  }
+  text.flush();
 }
 
 } // namespace
@@ -205,6 +158,8 @@ void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton)
       write_vtp(out, skeleton);
     else if(format == ".graphml")
       write_graphml(out, skeleton);
+    else if(format == ".csv")
+      write_csv(out, skeleton);
     else
       CGAL::Reeb_graph::write_polylines(out, polylines_of(skeleton));
   });

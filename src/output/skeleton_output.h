@@ -28,7 +28,7 @@ struct Skeleton_report : Work_report
 // Throws std::runtime_error, which names the formats, unless the file name ends with one of them.
 void check_skeleton_format(const std::filesystem::path& path);
 
-// Writes a .swc, .vtp, .polylines.txt, or .graphml file.
+// Writes a .swc, .vtp, .polylines.txt, .graphml, or .csv file.
 void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton);
 
 // Notes what such a file has no room for: loops of trees, radii of polylines.

@@ -33,7 +33,7 @@ typedef std::vector<std::array<double, 2>> Plane_line;
 struct Skeleton_places
 {
   explicit Skeleton_places(const Page_of_skeleton& page)
-    : of_points(page.skeleton.points.size(), Skeleton::none),
+    : of_points(num_vertices(page.skeleton.graph), Skeleton::none),
       of_vertices(page.skeleton.vertex_map.size(), 0), // vertices without faces are not seen
       numbers_of_vertices(page.skeleton.arcs.size(), 0)
   {
@@ -88,7 +88,7 @@ Skeleton_layout lay_out(const Skeleton& skeleton, const std::vector<double>& dis
       if(end != tops.back())
         pieces.push_back({end, tops.back()});
   }
-  Numbers order(skeleton.points.size());
+  Numbers order(num_vertices(skeleton.graph));
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
@@ -128,19 +128,19 @@ Skeleton_layout lay_out(const Skeleton& skeleton, const std::vector<double>& dis
 
 Arc_table table_of_skeleton(const Skeleton& skeleton, std::vector<std::int64_t> numbers_of_vertices)
 {
-  const std::vector<Skeleton_arc_row> rows = rows_of_arcs(skeleton);
+  typedef CGAL::Reeb_graph::Skeleton_branch Branch;
   Arc_table table;
-  const auto add = [&](const char* name, double Skeleton_arc_row::*member) {
+  const auto add = [&](const char* name, double Branch::*member) {
     std::vector<double> numbers;
-    for(const Skeleton_arc_row& row : rows)
-      numbers.push_back(row.*member);
+    for(const Branch& branch : skeleton.branches)
+      numbers.push_back(branch.*member);
     table.columns.push_back({{name, std::move(numbers)}, Arc_joining::ALONG_CHAIN, Arc_unit::DIFFERENCE});
   };
-  add("length", &Skeleton_arc_row::length);
-  add("radius", &Skeleton_arc_row::radius);
-  add("least_radius", &Skeleton_arc_row::least_radius);
-  add("greatest_radius", &Skeleton_arc_row::greatest_radius);
-  add("inscribed_radius", &Skeleton_arc_row::inscribed_radius);
+  add("length", &Branch::length);
+  add("radius", &Branch::radius);
+  add("least_radius", &Branch::least_radius);
+  add("greatest_radius", &Branch::greatest_radius);
+  add("inscribed_radius", &Branch::inscribed_radius);
   table.columns.push_back({{"vertices", std::move(numbers_of_vertices)}, Arc_joining::WITH_NODES, Arc_unit::COUNT});
   return table;
 }
@@ -159,7 +159,7 @@ nlohmann::ordered_json page_graph(const Skeleton& skeleton,
   {
     Polyline line;
     for(const std::size_t point : skeleton.arcs[i])
-      line.push_back(skeleton.points[point]);
+      line.push_back(skeleton.graph[point].point);
     Plane_line plane = layout.lines[i];
     std::array<std::size_t, 2> ends = {skeleton.arcs[i].front(), skeleton.arcs[i].back()};
     for(const std::size_t end : ends)
@@ -187,7 +187,7 @@ nlohmann::ordered_json page_graph(const Skeleton& skeleton,
                               : degrees[i] == 2 ? "loop"
                                                 : "junction"},
                      {"vertex", point},
-                     {"point", frame.coordinates(skeleton.points[point])},
+                     {"point", frame.coordinates(skeleton.graph[point].point)},
                      {"column", layout.columns[point]}});
   }
   return {{"nodes", std::move(nodes)}, {"arcs", std::move(arcs)}};

@@ -1,0 +1,191 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+#include <boost/test/unit_test.hpp>
+
+#include "mesh_builders.h"
+#include "tube_samples.h"
+#include "voxel_solids.h"
+
+#include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/find_branch_faces.h>
+#include <CGAL/Reeb_graph/skeleton/measure_branches.h>
+#include <CGAL/Reeb_graph/skeleton/skeleton_trees.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/connected_components.hpp>
+#include <boost/mpl/list.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <vector>
+
+// Branches of curve skeletons: trees, numbers, and faces.
+
+BOOST_AUTO_TEST_SUITE(test_skeleton_branches)
+
+using CGAL::Reeb_graph::Curve_skeleton;
+using CGAL::Reeb_graph::extract_curve_skeleton;
+using CGAL::Reeb_graph::Skeleton_branch;
+using CGAL::Reeb_graph::Skeleton_record;
+using generated_surfaces::make_mesh;
+using mesh_builders::Polyhedron;
+using mesh_builders::Surface_mesh;
+using tube_samples::Tubes;
+
+typedef boost::mpl::list<Surface_mesh, Polyhedron> Meshes;
+
+namespace {
+// Each edge once, from a record that comes before, and the other ones of its vertex are its copies.
+template <class Skeleton>
+void check_trees(const Skeleton& skeleton, const std::vector<Skeleton_record>& trees)
+{
+  std::vector<std::size_t> components(num_vertices(skeleton));
+  const auto number = static_cast<std::size_t>(boost::connected_components(skeleton, components.data()));
+  std::multiset<std::multiset<std::size_t>> given, found;
+  for(const auto e : CGAL::make_range(edges(skeleton)))
+    given.insert({source(e, skeleton), target(e, skeleton), num_vertices(skeleton) + skeleton[e].arc});
+  std::map<std::size_t, std::size_t> first_records;
+  std::size_t number_of_roots = 0;
+  for(std::size_t i = 0; i != trees.size(); ++i)
+  {
+    const Skeleton_record& record = trees[i];
+    const auto [first, is_new] = first_records.emplace(record.vertex, i);
+    BOOST_TEST(record.original == (is_new ? Skeleton_record::none : first->second));
+    if(record.parent == Skeleton_record::none)
+      ++number_of_roots;
+    else
+    {
+      BOOST_REQUIRE(record.parent < i);
+      BOOST_TEST(trees[record.parent].original == Skeleton_record::none);
+      found.insert({trees[record.parent].vertex, record.vertex, num_vertices(skeleton) + record.arc});
+    }
+  }
+  BOOST_TEST((given == found));
+  BOOST_TEST(first_records.size() == num_vertices(skeleton));
+  BOOST_TEST(number_of_roots == number);
+}
+
+// By definition.
+std::size_t strahler_order(const std::vector<Skeleton_record>& trees, std::size_t record)
+{
+  std::vector<std::size_t> of_children;
+  for(std::size_t i = 0; i != trees.size(); ++i)
+    if(trees[i].parent == record)
+      of_children.push_back(strahler_order(trees, i));
+  std::sort(of_children.rbegin(), of_children.rend());
+  if(of_children.empty())
+    return 1;
+  return of_children[0] + (of_children.size() > 1 && of_children[0] == of_children[1] ? 1 : 0);
+}
+
+void check_branches(const std::vector<Skeleton_record>& trees, const std::vector<Skeleton_branch>& branches)
+{
+  const std::vector<std::size_t> orders = strahler_orders(trees);
+  for(std::size_t i = 0; i != trees.size(); ++i)
+  {
+    BOOST_TEST(orders[i] == strahler_order(trees, i));
+    if(trees[i].arc == Skeleton_record::none)
+      continue;
+    BOOST_TEST(branches[trees[i].arc].order == orders[i]);
+    const std::size_t before = trees[trees[i].parent].arc;
+    if(before != trees[i].arc)
+      BOOST_TEST(branches[trees[i].arc].parent == before);
+  }
+  for(const Skeleton_branch& branch : branches)
+  {
+    const bool is_root = branch.parent == Skeleton_branch::none;
+    BOOST_TEST(branch.depth == (is_root ? 0 : branches[branch.parent].depth + 1));
+    BOOST_TEST((is_root || branches[branch.parent].component == branch.component));
+    BOOST_TEST(std::isnan(branch.tortuosity) == (branch.first == branch.last));
+    BOOST_TEST(!(branch.tortuosity < 1 - 1e-9));
+    BOOST_TEST((branch.least_radius <= branch.radius && branch.radius <= branch.greatest_radius));
+    const double r = 3.141592653589793 * branch.length;
+    BOOST_TEST(branch.volume >= r * branch.least_radius * branch.least_radius * (1 - 1e-9));
+    BOOST_TEST(branch.volume <= r * branch.greatest_radius * branch.greatest_radius * (1 + 1e-9));
+  }
+}
+
+// Each face has an arc, and those of one are connected.
+template <class Mesh, class Map>
+void check_faces(const Mesh& mesh, const Map& arc_map, std::size_t number_of_arcs)
+{
+  std::set<std::size_t> arcs;
+  std::set<typename boost::graph_traits<Mesh>::face_descriptor> reached;
+  std::size_t number_of_parts = 0;
+  for(const auto first : faces(mesh))
+  {
+    arcs.insert(get(arc_map, first));
+    if(!reached.insert(first).second)
+      continue;
+    ++number_of_parts;
+    std::vector<typename boost::graph_traits<Mesh>::face_descriptor> part = {first};
+    for(std::size_t i = 0; i != part.size(); ++i)
+      for(const auto h : CGAL::halfedges_around_face(halfedge(part[i], mesh), mesh))
+        if(!is_border(opposite(h, mesh), mesh))
+        {
+          const auto neighbor = face(opposite(h, mesh), mesh);
+          if(get(arc_map, neighbor) == get(arc_map, first) && reached.insert(neighbor).second)
+            part.push_back(neighbor);
+        }
+  }
+  BOOST_TEST(number_of_parts == arcs.size());
+  BOOST_TEST((arcs.empty() || *arcs.rbegin() < number_of_arcs));
+}
+
+template <class Mesh>
+std::vector<Skeleton_branch> check_all(const Mesh& mesh)
+{
+  Curve_skeleton<Mesh> skeleton;
+  extract_curve_skeleton(mesh, skeleton);
+  const std::vector<Skeleton_record> trees = skeleton_trees(skeleton);
+  check_trees(skeleton, trees);
+  const std::size_t last = num_vertices(skeleton) - 1;
+  const std::vector<Skeleton_record> others = skeleton_trees(skeleton, {last});
+  check_trees(skeleton, others);
+  BOOST_TEST(others.front().vertex == last);
+  const std::vector<Skeleton_branch> branches = measure_branches(skeleton, trees);
+  check_branches(trees, branches);
+  const auto arc_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  find_branch_faces(mesh, skeleton, arc_map);
+  check_faces(mesh, arc_map, branches.size());
+  return branches;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(branches_of_tubes, Mesh, Meshes)
+{
+  for(const Tubes& sample : tube_samples::all())
+    BOOST_TEST_CONTEXT(sample.name)
+    {
+      const std::vector<Skeleton_branch> branches = check_all(make_mesh<Mesh>(tube_samples::surface(sample, 0.05, 1)));
+      double length = 0;
+      std::size_t number_of_components = 0;
+      for(const Skeleton_branch& branch : branches)
+      {
+        length += branch.length;
+        number_of_components = (std::max)(number_of_components, branch.component + 1);
+      }
+      BOOST_TEST(std::abs(length - sample.length) <= 0.07 * sample.length);
+      BOOST_TEST(number_of_components == sample.components);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(branches_of_solids_of_cubes)
+{
+  for(std::size_t seed = 0; seed != 40; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      check_all(make_mesh<Surface_mesh>(Voxel_solid(3 + static_cast<int>(seed % 3), seed).surface()));
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
