@@ -15,11 +15,13 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Contour_shape.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -201,12 +203,6 @@ public:
   {
     Filled_component component;
     component.given = std::move(given_[number]);
-    const auto coordinates = [&](Index v) {
-      const Point& p = points_[Vertex_index(v)];
-      return std::make_tuple(p.x(), p.y(), p.z(), v);
-    };
-    std::sort(component.given.begin(), component.given.end(),
-              [&](Index u, Index v) { return coordinates(u) < coordinates(v); });
     add_vertices(component);
     const std::vector<Halfedge_index> halfedges = add_edges(component);
     for(const Halfedge_index h : halfedges)
@@ -250,20 +246,44 @@ private:
   }
 
   // Adds the given vertices, multiplied by a power of two: nothing is rounded, and no product of three coordinates overflows.
+  // Their order follows a space-filling curve, so that neighbors are near in memory.
   void add_vertices(Filled_component& component)
   {
-    const Point& first = points_[Vertex_index(component.given.front())];
-    double size = 0;
+    Bbox_3 box;
     for(const Index v : component.given)
-      for(int i = 0; i != 3; ++i)
-        size = (std::max)(size, std::abs(points_[Vertex_index(v)][i] / 2 - first[i] / 2));
+      box += points_[Vertex_index(v)].bbox();
+    double size = 0;
+    for(int i = 0; i != 3; ++i)
+      size = (std::max)(size, (box.max)(i) / 2 - (box.min)(i) / 2);
     component.exponent = size > 0 ? -std::ilogb(size) : 0;
     const auto scaled = [&](double x) { return std::scalbn(x, component.exponent); };
+    const Point low(scaled(box.xmin()), scaled(box.ymin()), scaled(box.zmin()));
+    std::vector<std::tuple<std::uint64_t, double, double, double, Index>> sorted;
     for(const Index v : component.given)
     {
       const Point& p = points_[Vertex_index(v)];
-      local_vertices_[Vertex_index(v)] = component.mesh.add_vertex(Point(scaled(p.x()), scaled(p.y()), scaled(p.z())));
+      const Point q(scaled(p.x()), scaled(p.y()), scaled(p.z()));
+      sorted.emplace_back(place_on_curve(q, low), q.x(), q.y(), q.z(), v);
     }
+    std::sort(sorted.begin(), sorted.end());
+    const auto n = static_cast<Mesh::size_type>(sorted.size());
+    component.mesh.reserve(n, 3 * n, 2 * n);
+    component.given.clear();
+    for(const auto& [place, x, y, z, v] : sorted)
+    {
+      component.given.push_back(v);
+      local_vertices_[Vertex_index(v)] = component.mesh.add_vertex(Point(x, y, z));
+    }
+  }
+
+  // The place of a point on the curve of Morton through the cells of a box, whose sides are below four.
+  static std::uint64_t place_on_curve(const Point& p, const Point& low)
+  {
+    std::uint64_t result = 0;
+    for(int bit = 20; bit >= 0; --bit)
+      for(int i = 0; i != 3; ++i)
+        result = 2 * result + (static_cast<std::uint64_t>((p[i] - low[i]) * (1 << 19)) >> bit & 1);
+    return result;
   }
 
   // Returns the halfedges of the surface, in the order of the new ones.
