@@ -16,7 +16,7 @@
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/skeleton/Curve_skeleton.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #ifndef CGAL_REEB_GRAPH_ARE_SKELETONS_COMPILED
 #include <CGAL/Reeb_graph/skeleton/internal/make_component_skeleton.h>
 #endif

@@ -12,10 +12,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Contour_shape.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
@@ -28,6 +29,61 @@
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal::skeleton {
+
+typedef Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point;
+typedef Kernel::Vector_3 Vector;
+
+inline constexpr double pi = 3.14159265358979323846;
+
+inline double length(const Vector& v) { return std::sqrt(v.squared_length()); }
+inline double distance(const Point& p, const Point& q) { return length(q - p); }
+
+// Measures of a closed polygon in space.
+struct Contour_shape
+{
+  Point centroid; // of the disc that the polygon spans, or of the polygon where that is flat
+  Vector area;    // of that disc, seen from three sides
+  double length = 0;
+
+  // The radius of the circle of the same area.
+  double radius() const { return std::sqrt(skeleton::length(area) / pi); }
+};
+
+// A polygon whose vector area is below this share of that of a circle as long is a fold: its disc has no centroid.
+inline constexpr double least_share_of_circle = 0.15;
+
+inline Contour_shape measure(const std::vector<Point>& polygon)
+{
+  const std::size_t size = polygon.size();
+  const Point origin = polygon.front();
+  Contour_shape shape = {origin, NULL_VECTOR, 0};
+  Vector middle = NULL_VECTOR;
+  for(std::size_t i = 0; i != size; ++i)
+  {
+    const Point &p = polygon[i], &q = polygon[(i + 1) % size];
+    const double edge = distance(p, q);
+    shape.length += edge;
+    middle = middle + edge * ((p - origin) + (q - origin)) / 2;
+    shape.area = shape.area + cross_product(p - origin, q - origin) / 2;
+  }
+  if(!(shape.length > 0))
+    return shape;
+  const Point center = origin + middle / shape.length;
+  shape.centroid = center;
+  const double area = length(shape.area);
+  if(!(area > least_share_of_circle * shape.length * shape.length / (4 * pi)))
+    return shape;
+  const Vector normal = shape.area / area;
+  Vector moment = NULL_VECTOR;
+  for(std::size_t i = 0; i != size; ++i)
+  {
+    const Vector p = polygon[i] - center, q = polygon[(i + 1) % size] - center;
+    moment = moment + (cross_product(p, q) * normal / 2) * (p + q) / 3;
+  }
+  shape.centroid = center + moment / area;
+  return shape;
+}
 
 typedef CGAL::Surface_mesh<Point> Mesh;
 
@@ -345,6 +401,39 @@ private:
   Indexed_vector<Vertex_index, Index> component_of_;
   std::vector<std::vector<Index>> given_; // by component
 };
+
+struct Skeleton_options
+{
+  double pruning_ratio = 0.5;
+  double sampling_ratio = 0.5;
+  bool are_borders_ends = true;
+};
+
+// The skeleton of a component by numbers: first the nodes, then the other points of one arc after the other.
+struct Component_skeleton
+{
+  struct Vertex
+  {
+    Point point;
+    double radius, inscribed_radius;
+    Index arc; // no_index for a node
+    double place;
+  };
+
+  std::vector<Vertex> vertices;
+  std::vector<std::vector<Index>> arcs; // from node to node
+  std::vector<Index> vertex_map;        // of the given vertices of the component
+  std::size_t number_of_ends = 0, number_of_border_ends = 0, number_of_junctions = 0;
+  std::size_t number_outside = 0, number_of_crossings = 0, number_of_contractible_loops = 0;
+  std::size_t genus = 0, number_of_loops = 0; // loops of the Reeb graph
+  bool is_self_intersecting = false;
+};
+
+// A template so that the library can have it, and defined in make_component_skeleton.h.
+template <class Component>
+Component_skeleton make_component_skeleton(Component component,
+                                           const Skeleton_options& options,
+                                           const Stage_progress& progress);
 
 } // namespace CGAL::Reeb_graph::internal::skeleton
 

@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
 #include <CGAL/Bbox_3.h>

@@ -16,13 +16,11 @@
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Inside_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
-#include <CGAL/Reeb_graph/skeleton/internal/component_field.h>
 
 #include <algorithm>
 #include <cmath>
