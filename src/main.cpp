@@ -11,7 +11,6 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/completion.h"
-#include "commands/help.h"
 #include "output/output_file.h"
 
 #include <CGAL/version.h>

@@ -12,7 +12,7 @@
 //
 // Usage: benchmark_scalar_fields [NUMBER OF VERTICES] [REPETITIONS] [LARGEST NUMBER OF VERTICES]
 
-#include "base/peak_memory.h"
+#include "base/costs.h"
 #include "generated_surfaces.h"
 #include "generated_surfaces/build_mesh.h"
 #include "measurements.h"

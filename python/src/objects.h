@@ -9,8 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_PYTHON_OBJECTS_H
 #define CGAL_REEB_GRAPH_PYTHON_OBJECTS_H
 
-#include "base/complex.h"
 #include "base/progress_bar.h"
+#include "base/surface.h"
 #include "base/threads.h"
 #include "base/vertex_properties.h"
 #include "computation/Mesh_graph.h"

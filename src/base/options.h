@@ -111,6 +111,13 @@ inline auto named_parameters(const Graph_options& options)
     .number_of_slabs(options.number_of_slabs);
 }
 
+// How drawings call the field.
+struct Field_label
+{
+  std::string name;
+  std::string unit; // may be empty
+};
+
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_OPTIONS_H

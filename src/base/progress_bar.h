@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PROGRESS_BAR_H
 #define CGAL_REEB_GRAPH_SRC_PROGRESS_BAR_H
 
-#include "base/stopwatch.h"
+#include "base/costs.h"
 
 #include <condition_variable>
 #include <cstddef>

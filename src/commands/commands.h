@@ -9,9 +9,9 @@
 #ifndef CGAL_REEB_GRAPH_SRC_COMMANDS_H
 #define CGAL_REEB_GRAPH_SRC_COMMANDS_H
 
-#include "base/Vertex_numbers.h"
 #include "base/options.h"
 #include "base/report.h"
+#include "base/surface.h"
 #include "computation/Mesh_graph.h"
 #include "computation/skeleton.h"
 #include "input/repair_soup.h"

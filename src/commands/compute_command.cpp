@@ -6,24 +6,22 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/complex.h"
+#include "base/costs.h"
 #include "base/report.h"
-#include "base/stopwatch.h"
+#include "base/surface.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
-#include "computation/longest_loop.h"
+#include "computation/handles.h"
 #include "computation/simplification.h"
-#include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
 #include "input/limits_of_kinds.h"
-#include "output/diagram_output.h"
 #include "output/graph_output.h"
-#include "output/loops_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/pairs_output.h"
+#include "output/polylines_output.h"
 #include "output/report_output.h"
 #include "page/page_output.h"
 

@@ -6,15 +6,15 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/complex.h"
+#include "base/surface.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
 #include "input/limits_of_kinds.h"
-#include "output/contour_output.h"
 #include "output/output_file.h"
+#include "output/polylines_output.h"
 #include "output/report_output.h"
 
 #include <algorithm>

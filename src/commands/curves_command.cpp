@@ -6,18 +6,14 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/stopwatch.h"
+#include "base/costs.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
 #include "computation/curves.h"
-#include "computation/levels_and_disks.h"
 #include "computation/simplification.h"
-#include "computation/simplified_field.h"
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
-#include "input/mesh_input.h"
-#include "output/contour_output.h"
 #include "output/graph_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"

@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/stopwatch.h"
+#include "base/costs.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"

@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/stopwatch.h"
+#include "base/costs.h"
 #include "commands/commands.h"
 #include "input/field_input.h"
 #include "output/mesh_output.h"

@@ -6,16 +6,16 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/stopwatch.h"
+#include "base/costs.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/handles.h"
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
 #include "output/graph_output.h"
-#include "output/loops_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
+#include "output/polylines_output.h"
 #include "output/report_output.h"
 #include "page/page_output.h"
 

@@ -6,14 +6,13 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/costs.h"
 #include "base/progress_bar.h"
-#include "base/stopwatch.h"
 #include "base/vertex_properties.h"
 #include "commands/commands.h"
-#include "input/close_points.h"
 #include "input/input_error.h"
+#include "input/merge_points.h"
 #include "input/mesh_formats.h"
-#include "input/mesh_input.h"
 #include "input/repair_soup.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"

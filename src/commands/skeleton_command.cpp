@@ -6,14 +6,13 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/stopwatch.h"
+#include "base/costs.h"
 #include "commands/commands.h"
 #include "computation/skeleton.h"
 #include "input/field_input.h"
 #include "output/graph_output.h"
 #include "output/output_file.h"
 #include "output/report_output.h"
-#include "output/report_parts.h"
 #include "output/skeleton_output.h"
 #include "page/page_output.h"
 

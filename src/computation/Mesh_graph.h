@@ -9,8 +9,6 @@
 #ifndef CGAL_REEB_GRAPH_SRC_MESH_GRAPH_H
 #define CGAL_REEB_GRAPH_SRC_MESH_GRAPH_H
 
-#include "base/Arc_table.h"
-#include "base/complex.h"
 #include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"
@@ -134,6 +132,22 @@ const AnyGraph& with_base(const AnyGraph& graph, double base, std::optional<AnyG
     (*copy)[node].value += base;
   return *copy;
 }
+
+struct Simplified_field
+{
+  double largest_change;    // of a value
+  bool are_ties_contracted; // though not asked for, as there is no such field otherwise
+};
+
+// Computes a field that has the simplified graph with the ties of these options or, if that fails, with contracted ones.
+// The graph is that of the field with these options. `simplified_map` can be `scalar_map`. Throws the exceptions of the
+// library.
+Simplified_field compute_simplified_field(const Mesh& mesh,
+                                          Scalar_map scalar_map,
+                                          Mesh_graph& graph,
+                                          const Graph_options& graph_options,
+                                          const Simplification_options& simplification,
+                                          Scalar_map simplified_map);
 
 } // namespace reeb_graph_program
 

@@ -9,8 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_SRC_REPORT_VISITOR_H
 #define CGAL_REEB_GRAPH_SRC_REPORT_VISITOR_H
 
+#include "base/costs.h"
 #include "base/report.h"
-#include "base/stopwatch.h"
 
 #include <CGAL/Reeb_graph/options.h>
 

@@ -9,7 +9,6 @@
 #ifndef CGAL_REEB_GRAPH_SRC_ANALYSIS_H
 #define CGAL_REEB_GRAPH_SRC_ANALYSIS_H
 
-#include "base/complex.h"
 #include "base/report.h"
 #include "base/surface.h"
 

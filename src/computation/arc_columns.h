@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_ARC_COLUMNS_H
 #define CGAL_REEB_GRAPH_SRC_ARC_COLUMNS_H
 
-#include "base/Arc_table.h"
+#include "base/report.h"
 #include "base/surface.h"
 
 #include <CGAL/Reeb_graph/simplification/simplify.h>

@@ -8,6 +8,8 @@
 
 #include "computation/complex_counts.h"
 
+#include "input/repair_soup.h"
+
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -15,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,97 +63,28 @@ void remove_faces(const std::vector<Simplex>& simplices, std::vector<Face>& face
   faces = std::move(rest);
 }
 
-// An edge of a triangle, and which of its vertices is opposite to it.
-struct Side
-{
-  Edge edge;
-  std::size_t triangle;
-  std::size_t opposite;
-};
-
-// The sides of all triangles, those of an edge one behind the other.
-std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles)
-{
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for(std::size_t i = 0; i < triangles.size(); ++i)
-    for(std::size_t j = 0; j < 3; ++j)
-    {
-      const std::uint32_t u = triangles[i][(j + 1) % 3], v = triangles[i][(j + 2) % 3];
-      sides.push_back({{std::min(u, v), std::max(u, v)}, i, j});
-    }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.edge != b.edge ? a.edge < b.edge : a.triangle < b.triangle; });
-  return sides;
-}
-
-// Calls visit(begin, end) for the sides of each edge, in the order of the edges.
-template <class Visit>
-void for_each_edge(const std::vector<Side>& sides, const Visit& visit)
-{
-  for(auto begin = sides.begin(); begin != sides.end();)
-  {
-    const auto end = std::find_if(begin, sides.end(), [&](const Side& side) { return side.edge != begin->edge; });
-    visit(begin, end);
-    begin = end;
-  }
-}
-
-// The triangles at a vertex that are joined by edges at it are one fan, whatever else meets at these edges.
-void count_fans(const std::vector<Triangle>& triangles, const std::vector<Side>& sides, Complex_counts& counts)
-{
-  boost::disjoint_sets_with_storage<> corners(3 * triangles.size());
-  const auto corner_of = [&](std::size_t triangle, std::uint32_t v) {
-    return 3 * triangle
-         + static_cast<std::size_t>(std::find(triangles[triangle].begin(), triangles[triangle].end(), v)
-                                    - triangles[triangle].begin());
-  };
-  for_each_edge(sides, [&](auto begin, auto end) {
-    for(auto side = begin + 1; side != end; ++side)
-      for(const std::uint32_t v : begin->edge)
-        corners.union_set(corner_of(begin->triangle, v), corner_of(side->triangle, v));
-  });
-  std::map<std::uint32_t, std::size_t> vertices; // those of several fans
-  std::vector<std::size_t> fans;
-  for(std::size_t corner = 0; corner < 3 * triangles.size(); ++corner)
-    if(corners.find_set(corner) == corner)
-    {
-      const std::uint32_t v = triangles[corner / 3][corner % 3];
-      fans.resize(std::max<std::size_t>(fans.size(), v + std::size_t(1)));
-      if(++fans[v] > 1)
-        vertices[v] = fans[v];
-    }
-  counts.vertices_of_several_fans = vertices.size();
-  if(!vertices.empty())
-    counts.first_vertex_of_several_fans = {vertices.begin()->first, vertices.begin()->second};
-}
-
-// Triangles have two orientations each; those on both sides of an edge of two triangles agree. The first edge is found
-// at which this asks for both orientations of a triangle.
-void find_contradiction(const std::vector<Triangle>& triangles, const std::vector<Side>& sides, Complex_counts& counts)
+// Says what is wrong with triangles, whose vertices ascend.
+void count_faults(const Polygons& triangles, const std::vector<Polygon_side>& sides, Complex_counts& counts)
 {
   boost::disjoint_sets_with_storage<> orientations(2 * triangles.size());
-  for_each_edge(sides, [&](auto begin, auto end) {
+  std::size_t number_of_vertices = 0;
+  for_each_edge(sides, [&](std::size_t begin, std::size_t end) {
+    const Polygon_side &one = sides[begin], &other = sides[end - 1];
+    number_of_vertices = std::max<std::size_t>(number_of_vertices, one.v + std::size_t(1));
+    if(end - begin > 2 && counts.edges_of_many_faces++ == 0)
+      counts.first_edge_of_many_faces = {one.u, one.v, end - begin};
     if(end - begin != 2 || counts.first_edge_without_orientation)
       return;
-    // vertices of triangles ascend, so that only the side that leaves out the middle one runs backwards
-    const auto is_backwards = [](const Side& side) { return side.opposite == 1; };
-    const std::size_t turn = is_backwards(begin[0]) == is_backwards(begin[1]) ? 1 : 0;
+    const std::size_t turn = one.is_descending == other.is_descending ? 1 : 0;
     for(const std::size_t orientation : {0, 1})
-      orientations.union_set(2 * begin[0].triangle + orientation, 2 * begin[1].triangle + (orientation ^ turn));
-    if(orientations.find_set(2 * begin[0].triangle) == orientations.find_set(2 * begin[0].triangle + 1))
-      counts.first_edge_without_orientation = {begin->edge[0], begin->edge[1]};
+      orientations.union_set(2 * one.face + orientation, 2 * other.face + (orientation ^ turn));
+    if(orientations.find_set(2 * one.face) == orientations.find_set(2 * one.face + 1))
+      counts.first_edge_without_orientation = {one.u, one.v};
   });
-}
-
-void count_faults(const std::vector<Triangle>& triangles, const std::vector<Side>& sides, Complex_counts& counts)
-{
-  for_each_edge(sides, [&](auto begin, auto end) {
-    if(end - begin > 2 && counts.edges_of_many_faces++ == 0)
-      counts.first_edge_of_many_faces = {begin->edge[0], begin->edge[1], static_cast<std::size_t>(end - begin)};
-  });
-  count_fans(triangles, sides, counts);
-  find_contradiction(triangles, sides, counts);
+  const std::vector<std::size_t> fans = count_fans(triangles, sides, number_of_vertices);
+  for(std::size_t v = 0; v < number_of_vertices; ++v)
+    if(fans[v] > 1 && counts.vertices_of_several_fans++ == 0)
+      counts.first_vertex_of_several_fans = {v, fans[v]};
 }
 
 } // namespace
@@ -164,10 +96,13 @@ Complex_counts count_complex(const Complex& complex)
   std::vector<Triangle> triangles = complex.triangles;
   append_faces(tetrahedra, triangles);
   normalize(triangles);
-  const std::vector<Side> sides = sorted_sides(triangles);
+  Polygons polygons;
+  for(const Triangle& triangle : triangles)
+    polygons.add(triangle);
+  const std::vector<Polygon_side> sides = sides_of(polygons);
   std::vector<Edge> edges = complex.edges;
   const std::size_t number_before = edges.size();
-  for_each_edge(sides, [&](auto begin, auto) { edges.push_back(begin->edge); });
+  for_each_edge(sides, [&](std::size_t begin, std::size_t) { edges.push_back({sides[begin].u, sides[begin].v}); });
   const std::size_t number_of_sides = edges.size() - number_before;
   normalize(edges);
   Complex_counts counts;
@@ -183,7 +118,7 @@ Complex_counts count_complex(const Complex& complex)
   counts.triangles = triangles.size();
   counts.tetrahedra = tetrahedra.size();
   if(tetrahedra.empty())
-    count_faults(triangles, sides, counts);
+    count_faults(polygons, sides, counts);
   return counts;
 }
 

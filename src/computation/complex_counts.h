@@ -9,8 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_SRC_COMPLEX_COUNTS_H
 #define CGAL_REEB_GRAPH_SRC_COMPLEX_COUNTS_H
 
-#include "base/complex.h"
 #include "base/report.h"
+#include "base/surface.h"
 
 #include <string>
 

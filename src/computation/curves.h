@@ -11,6 +11,7 @@
 
 #include "base/options.h"
 #include "base/surface.h"
+#include "computation/Mesh_graph.h"
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/fields/make_borders_level.h>
@@ -20,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -56,6 +58,30 @@ Cut_result cut_along_curves(Surface& surface,
                             const std::vector<Any_vertex_property>& properties,
                             const Cut_options& options,
                             const std::function<bool(std::size_t)>& face_count_callback);
+
+// The values that are chosen. Throws std::runtime_error if they are no numbers, or too many.
+std::vector<double> values_of_levels(const Level_choice& choice, Scalar_map scalar_map);
+
+// Cuts the surface along the levels, and finds curves, pieces and bands. The properties are interpolated at vertices
+// that are added. The callback is told the number of triangles before, and may refuse it.
+Cut_result cut_along_levels(Surface& surface,
+                            Scalar_map scalar_map,
+                            const std::vector<Any_vertex_property>& properties,
+                            const std::vector<double>& levels,
+                            bool is_cut_open,
+                            const std::function<bool(std::size_t)>& face_count_callback);
+
+// The curves of a surface that has been cut, each with the arc of the contour next to it, on the higher side if there is
+// one: of a graph of this surface.
+std::vector<Contour> contours_of_levels(const Cut_result& result, Scalar_map scalar_map, Mesh_graph& graph);
+
+// What the user may not expect: levels that have no curve.
+std::vector<std::string> notes_on_levels(const std::vector<double>& levels,
+                                         const Cut_result& result,
+                                         Scalar_map scalar_map);
+
+// Cuts each component of the surface to a disk. The properties are copied to vertices that are doubled.
+Cut_result cut_to_disks(Surface& surface, std::vector<Any_vertex_property> properties);
 
 } // namespace reeb_graph_program
 

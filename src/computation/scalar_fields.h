@@ -13,7 +13,9 @@
 #include "base/report.h"
 #include "base/surface.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 // Whether the field is one of those that compute_scalar_field() computes.
@@ -30,6 +32,13 @@ void compute_scalar_field(const Input_options& options,
                           const Surface& surface,
                           Scalar_map scalar_map,
                           Work_report& report);
+
+// Sets the map to the lengths of the shortest paths along edges of the complex from the sources or, if there are none,
+// from a vertex of each component that is farthest away from its first vertex. Returns the sources. Throws
+// std::runtime_error if there is no such source, or no path from a source to a vertex.
+std::vector<std::size_t> compute_distances_along_edges(const Mesh& mesh,
+                                                       std::vector<std::size_t> sources,
+                                                       Scalar_map scalar_map);
 
 } // namespace reeb_graph_program
 

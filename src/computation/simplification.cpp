@@ -8,7 +8,7 @@
 
 #include "computation/simplification.h"
 
-#include "base/complex.h"
+#include "base/surface.h"
 
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 

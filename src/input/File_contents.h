@@ -11,7 +11,12 @@
 
 #include "input/input_error.h"
 
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -20,6 +25,24 @@
 #include <string_view>
 
 namespace reeb_graph_program {
+// The number that bytes of a file stand for, in the order of this machine or the other way round.
+template <class Number>
+Number decode(const char* bytes, bool is_reversed)
+{
+  Number number;
+  if(!is_reversed)
+  {
+    std::memcpy(&number, bytes, sizeof(Number));
+    return number;
+  }
+  std::array<char, sizeof(Number)> reversed;
+  std::reverse_copy(bytes, bytes + sizeof(Number), reversed.begin());
+  std::memcpy(&number, reversed.data(), sizeof(Number));
+  return number;
+}
+
+inline bool is_machine_big_endian() { return boost::endian::order::native == boost::endian::order::big; }
+
 // All bytes of a file. They are read, not mapped: a file that shrinks meanwhile is an error, and no end of the program.
 class File_contents
 {

@@ -11,12 +11,27 @@
 
 #include "input/Polygon_soup.h"
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 namespace reeb_graph_program {
 // Makes the surface of oriented faces. Returns false, and leaves the surface in any state, unless each edge is that of
 // at most one face on each side, and the faces at each vertex are one fan. The surface is the same, numbers of
 // halfedges included, as that of CGAL::Euler::add_face() for one face after the other, which takes two to three times
 // as long. Vertices of faces have to exist, and no face may have one of them twice.
 bool assemble_surface(const Polygon_soup& soup, Surface& surface);
+
+// Cuts each polygon of n corners into n - 2 triangles, in its place, whose corners are all of its own. A new edge joins no
+// two vertices that another edge joins, where that can be avoided: the surface stays what it is. Returns the number of
+// the first polygon that cannot be cut: one without area, or one of more than 500 corners whose projection crosses itself.
+std::optional<std::size_t> triangulate_faces(Polygon_soup& soup);
+
+// Fills borders of at most so many edges with triangles, flat where the border is, unless they would need an edge that is
+// there: then they meet in the center of the border, a vertex that is added, with two vertices of the border as origins.
+// Returns the number of borders.
+std::size_t fill_borders(Polygon_soup& soup, std::size_t most_edges, std::vector<std::array<Corner, 2>>& origins);
 
 } // namespace reeb_graph_program
 

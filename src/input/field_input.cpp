@@ -8,15 +8,14 @@
 
 #include "input/field_input.h"
 
+#include "base/costs.h"
 #include "base/progress_bar.h"
-#include "base/stopwatch.h"
 #include "base/vertex_properties.h"
 #include "computation/complex_counts.h"
-#include "computation/distances_along_edges.h"
 #include "computation/scalar_fields.h"
 #include "input/input_error.h"
 #include "input/limits_of_kinds.h"
-#include "input/mesh_input.h"
+#include "input/mesh_formats.h"
 #include "input/scalar_input.h"
 
 #include <filesystem>

@@ -9,8 +9,6 @@
 #ifndef CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
 #define CGAL_REEB_GRAPH_SRC_FIELD_INPUT_H
 
-#include "base/Field_label.h"
-#include "base/complex.h"
 #include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"

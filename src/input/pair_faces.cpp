@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "input/pair_faces.h"
+#include "input/repair_soup.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -310,14 +310,12 @@ Face_pairs pair_two_faces(const Polygons& polygons)
   Orientations orientations(polygons.size());
   // Those that agree come first: so the others are cut, if any.
   for(const bool is_turned : {false, true})
-    for(std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
-    {
-      end = end_of_edge(sides, begin);
+    for_each_edge(sides, [&](std::size_t begin, std::size_t end) {
       const Polygon_side &one = sides[begin], &other = sides[end - 1];
       if(end - begin == 2 && (one.is_descending == other.is_descending) == is_turned
          && orientations.unite(one.face, other.face, is_turned))
         std::swap(result.mates[begin], result.mates[begin + 1]);
-    }
+    });
   result.is_turned = orientations.turned();
   return result;
 }
@@ -326,30 +324,26 @@ Face_pairs pair_faces(const Polygon_soup& soup)
 {
   Face_pairs result = pair_two_faces(soup.polygons);
   const std::vector<Polygon_side>& sides = result.sides;
-  for(std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
-  {
-    end = end_of_edge(sides, begin);
+  for_each_edge(sides, [&](std::size_t begin, std::size_t end) {
     if(end - begin < 3)
-      continue;
+      return;
     Faces_of_edge faces(soup, sides[begin]);
     for(std::size_t s = begin; s < end; ++s)
       faces.add(sides[s], s, result.is_turned[sides[s].face] != 0);
     pair_brackets(faces.in_order(), result.mates);
-  }
+  });
   return result;
 }
 
 std::vector<std::array<Corner, 2>> split_at_pairs(Polygon_soup& soup, const Face_pairs& pairs, Repair_counts& counts)
 {
-  for(std::size_t begin = 0, end = 0; begin < pairs.sides.size(); begin = end)
-  {
-    end = end_of_edge(pairs.sides, begin);
+  for_each_edge(pairs.sides, [&](std::size_t begin, std::size_t end) {
     std::size_t alone = 0;
     for(std::size_t s = begin; s < end; ++s)
       alone += pairs.mates[s] == s ? 1 : 0;
     counts.paired_edges += end - begin > 2 && alone < end - begin ? 1 : 0;
     counts.unpaired_sides += end - begin > 1 ? alone : 0;
-  }
+  });
   Pair_splitting splitting(soup, pairs);
   splitting.split(counts);
   return splitting.take_origins();

@@ -8,7 +8,7 @@
 
 #include "input/ply_header.h"
 
-#include "input/field_names.h"
+#include "input/mesh_formats.h"
 
 #include <array>
 #include <utility>

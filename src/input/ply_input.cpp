@@ -8,11 +8,8 @@
 
 #include "base/threads.h"
 #include "input/File_contents.h"
-#include "input/binary_numbers.h"
 #include "input/mesh_formats.h"
-#include "input/ply_data.h"
 #include "input/ply_header.h"
-#include "input/ply_records.h"
 #include "input/text_blocks.h"
 #include "input/text_input.h"
 

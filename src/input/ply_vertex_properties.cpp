@@ -8,9 +8,7 @@
 
 #include "base/vertex_properties.h"
 #include "input/File_contents.h"
-#include "input/field_names.h"
 #include "input/mesh_formats.h"
-#include "input/ply_data.h"
 #include "input/ply_header.h"
 #include "input/text_input.h"
 #include "input/vtk_numbers.h"

@@ -8,14 +8,8 @@
 
 #include "input/repair_soup.h"
 
-#include "input/close_points.h"
-#include "input/find_duplicates.h"
+#include "input/assemble_surface.h"
 #include "input/merge_points.h"
-#include "input/pair_faces.h"
-#include "input/pieces.h"
-#include "input/repeated_vertex.h"
-#include "input/soup_counts.h"
-#include "input/triangulate_faces.h"
 
 #include <algorithm>
 #include <array>

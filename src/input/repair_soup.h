@@ -12,12 +12,97 @@
 #include "base/input_findings.h"
 #include "input/Polygon_soup.h"
 
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace reeb_graph_program {
+class Union_find_of_indices
+{
+public:
+  explicit Union_find_of_indices(std::size_t size)
+    : ranks_(size, 0),
+      parents_(size),
+      sets_(ranks_.data(), parents_.data())
+  {
+    std::iota(parents_.begin(), parents_.end(), std::size_t(0));
+  }
+  std::size_t find(std::size_t i) { return sets_.find_set(i); }
+  void unite(std::size_t i, std::size_t j) { sets_.union_set(i, j); }
+  bool is_root(std::size_t i) { return find(i) == i; }
+
+private:
+  std::vector<std::size_t> ranks_, parents_;
+  boost::disjoint_sets<std::size_t*, std::size_t*> sets_;
+};
+
+// A side of a polygon, by its vertices in ascending order, and which corners of all polygons it has there. The order is
+// that of edges.
+struct Polygon_side
+{
+  Corner u, v;
+  std::size_t corner_of_u, corner_of_v, face;
+  bool is_descending; // along the polygon
+
+  bool operator<(const Polygon_side& other) const { return std::tie(u, v) < std::tie(other.u, other.v); }
+};
+
+// Those of all polygons, edge by edge; within one, in the order of the polygons.
+std::vector<Polygon_side> sides_of(const Polygons& polygons);
+
+// Visits the sides of one edge after the other, as the numbers of the first one and of that behind the last one.
+template <class Visit>
+void for_each_edge(const std::vector<Polygon_side>& sides, const Visit& visit)
+{
+  for(std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  {
+    while(end < sides.size() && !(sides[begin] < sides[end]))
+      ++end;
+    visit(begin, end);
+  }
+}
+
+Soup_counts count_soup(const Polygons& polygons, std::size_t number_of_vertices);
+
+// How many fans the faces at each vertex form.
+std::vector<std::size_t> count_fans(const Polygons& polygons,
+                                    const std::vector<Polygon_side>& sides,
+                                    std::size_t number_of_vertices);
+
+// The component of each polygon, by a vertex of it. Polygons with a common vertex are in one.
+std::vector<std::size_t> components_of_polygons(const Polygons& polygons, std::size_t number_of_vertices);
+
+// The faces of components with less than a share of the area, and of closed ones that have no inside, or are inside out and
+// neither lie in another one nor have one inside: cavities stay. If the largest component is inside out, all are taken the
+// other way round. In ascending order.
+std::vector<std::size_t> faces_of_lesser_pieces(const Polygon_soup& soup, double least_share, Repair_counts& counts);
+
+// Which faces go on in each other at the edges.
+struct Face_pairs
+{
+  std::vector<Polygon_side> sides;
+  std::vector<std::size_t> mates; // of the sides, by their numbers; a side without another one is its own
+  std::vector<char> is_turned;    // of the faces: which ones are to be reversed so that pairs agree, if that can be
+};
+
+// Pairs both faces of an edge of two, unless no orientation agrees there with the other ones.
+Face_pairs pair_two_faces(const Polygons& polygons);
+
+// Pairs those, and where there are more, each face that runs along the edge goes on in one that runs against it: in the order of their angles, across gaps outside,
+// so that what two solids share does not part them. Each decision is exact.
+Face_pairs pair_faces(const Polygon_soup& soup);
+
+// Cuts the mesh open where faces are not paired: each fan of pairs gets a vertex of its own, the first one the given one.
+// Where edges at one place then have both ends in common, each gets a midpoint. Returns two given vertices for each vertex
+// that is added behind the others: a copy has the same one twice, a midpoint the ends of its edge.
+std::vector<std::array<Corner, 2>> split_at_pairs(Polygon_soup& soup, const Face_pairs& pairs, Repair_counts& counts);
+
 // Besides leaving faces out, in this order.
 struct Repair_options
 {

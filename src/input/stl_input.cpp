@@ -7,7 +7,6 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "input/File_contents.h"
-#include "input/binary_numbers.h"
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
 

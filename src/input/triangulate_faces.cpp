@@ -6,9 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "input/triangulate_faces.h"
+#include "input/assemble_surface.h"
 
-#include "input/soup_counts.h"
+#include "input/repair_soup.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -275,17 +275,15 @@ std::vector<std::vector<Corner>> small_borders(const Polygon_soup& soup, std::si
   const std::vector<Polygon_side> sides = sides_of(soup.polygons);
   std::vector<Corner> next(soup.points.size(), too_large_corner);
   std::vector<std::array<char, 2>> numbers(soup.points.size(), {0, 0}); // of border edges that begin, and that end
-  for(std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
-  {
-    end = end_of_edge(sides, begin);
+  for_each_edge(sides, [&](std::size_t begin, std::size_t end) {
     if(end - begin != 1)
-      continue;
+      return;
     const auto [low, high] = std::pair(sides[begin].u, sides[begin].v);
     const Corner from = sides[begin].is_descending ? low : high, to = sides[begin].is_descending ? high : low;
     next[from] = to;
     numbers[from][0] = numbers[from][0] == 0 ? 1 : 2;
     numbers[to][1] = numbers[to][1] == 0 ? 1 : 2;
-  }
+  });
   std::vector<std::vector<Corner>> borders;
   std::vector<char> is_passed(soup.points.size(), 0);
   for(std::size_t first = 0; first < soup.points.size(); ++first)

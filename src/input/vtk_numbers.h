@@ -9,7 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_VTK_NUMBERS_H
 #define CGAL_REEB_GRAPH_SRC_VTK_NUMBERS_H
 
-#include "input/binary_numbers.h"
+#include "input/File_contents.h"
 
 #include <algorithm>
 #include <cctype>

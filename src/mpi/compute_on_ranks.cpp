@@ -6,16 +6,16 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "mpi/compute_on_ranks.h"
-#include "base/peak_memory.h"
+#include "mpi/ranks.h"
+
+#include "base/costs.h"
 #include "base/progress_bar.h"
+#include "base/report.h"
 #include "computation/Report_visitor.h"
 #include "computation/analysis.h"
 #include "computation/simplification.h"
 #include "input/field_input.h"
-#include "mpi/Rank_visitor.h"
 #include "mpi/local_input.h"
-#include "output/diagram_output.h"
 #include "output/graph_output.h"
 #include "output/output_file.h"
 #include "output/pairs_output.h"
@@ -23,6 +23,7 @@
 
 #include <CGAL/Reeb_graph/distributed/compute_reeb_graph_distributed.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
+#include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 
 #include <boost/mpi/collectives.hpp>
@@ -36,6 +37,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -49,6 +51,61 @@
 #include <vector>
 
 namespace reeb_graph_program {
+// The seconds of CPU that the process has spent.
+inline double cpu_seconds_of_process()
+{
+  timespec time = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Notes what a step takes: its seconds in the report, and those of CPU in that of the rank.
+class Step
+{
+public:
+  Step(const std::string& name, Report& report, Rank_report& rank) : name_(name), report_(report), rank_(rank) {}
+  Step(const Step&) = delete;
+  Step& operator=(const Step&) = delete;
+
+  void end()
+  {
+    report_.seconds.emplace_back(name_, stopwatch_.seconds());
+    rank_.cpu_seconds.emplace_back(name_, cpu_seconds_of_process() - first_cpu_seconds_);
+  }
+
+private:
+  std::string name_;
+  Report& report_;
+  Rank_report& rank_;
+  Stopwatch stopwatch_;
+  double first_cpu_seconds_ = cpu_seconds_of_process();
+};
+
+// Notes what each stage of the computation takes: its seconds in the report, and those of CPU in that of the rank.
+class Rank_visitor
+{
+public:
+  Rank_visitor(Report& report, Rank_report& rank) : visitor_(report), report_(report), rank_(rank) {}
+
+  void begin_stage(CGAL::Reeb_graph::Stage stage)
+  {
+    visitor_.begin_stage(stage);
+    first_cpu_seconds_ = cpu_seconds_of_process();
+  }
+  void end_stage(CGAL::Reeb_graph::Stage stage)
+  {
+    visitor_.end_stage(stage);
+    rank_.cpu_seconds.emplace_back(report_.seconds.back().first, cpu_seconds_of_process() - first_cpu_seconds_);
+  }
+  void critical_vertices(const CGAL::Reeb_graph::Critical_vertex_counts& counts) { visitor_.critical_vertices(counts); }
+
+private:
+  Report_visitor visitor_;
+  Report& report_;
+  Rank_report& rank_;
+  double first_cpu_seconds_ = 0;
+};
+
 namespace {
 typedef CGAL::Reeb_graph_soup_traits<double>::Graph Graph_of_ranks;
 typedef CGAL::Reeb_graph::Distributed_slab<double> Slab;

@@ -8,7 +8,6 @@
 
 #include "base/message_of.h"
 #include "commands/command_line.h"
-#include "mpi/compute_on_ranks.h"
 #include "mpi/ranks.h"
 #include "output/output_file.h"
 

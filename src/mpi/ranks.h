@@ -9,6 +9,8 @@
 #ifndef CGAL_REEB_GRAPH_SRC_RANKS_H
 #define CGAL_REEB_GRAPH_SRC_RANKS_H
 
+#include "commands/commands.h"
+
 #include <boost/mpi/communicator.hpp>
 
 #include <cstdint>
@@ -34,6 +36,10 @@ struct Part
 
 // The rank's part of so many things, of which all ranks have as many, up to one.
 Part part_of_rank(const Communicator& communicator, std::uint64_t number);
+
+// Rank 0 prints to std::cout and writes the files of the graph. All ranks throw the same exception, derived from
+// std::exception, for any error. Collective.
+void run_compute_on_ranks(const Communicator& communicator, const Compute_options& options);
 
 } // namespace reeb_graph_program
 

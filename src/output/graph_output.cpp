@@ -8,7 +8,6 @@
 
 #include "output/graph_output.h"
 
-#include "output/npy_output.h"
 #include "output/output_file.h"
 
 #include <CGAL/Reeb_graph/IO.h>

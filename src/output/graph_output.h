@@ -9,8 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_GRAPH_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_GRAPH_OUTPUT_H
 
-#include "base/Field_label.h"
-#include "base/Vertex_numbers.h"
+#include "base/options.h"
 #include "base/surface.h"
 #include "computation/Mesh_graph.h"
 

@@ -8,8 +8,7 @@
 
 #include "output/report_output.h"
 
-#include "base/peak_memory.h"
-#include "output/report_parts.h"
+#include "base/costs.h"
 
 #include <nlohmann/json.hpp>
 

@@ -10,7 +10,6 @@
 
 #include "base/vertex_properties.h"
 #include "input/mesh_formats.h"
-#include "output/npy_output.h"
 #include "output/output_file.h"
 
 #include <CGAL/IO/Color.h>

@@ -9,7 +9,6 @@
 #ifndef CGAL_REEB_GRAPH_SRC_MESH_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_MESH_OUTPUT_H
 
-#include "base/complex.h"
 #include "base/surface.h"
 #include "input/Polygon_soup.h"
 

@@ -9,11 +9,11 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PAIRS_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_PAIRS_OUTPUT_H
 
-#include "base/Vertex_numbers.h"
 #include "base/surface.h"
 #include "computation/simplification.h"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -27,6 +27,16 @@ void write_pairs(const std::filesystem::path& path,
                  const Graph& graph,
                  const std::vector<Persistence_pair>& pairs,
                  const Vertex_numbers& vertex_numbers = {});
+
+// Throws an exception unless the file name ends in .svg.
+void check_diagram_format(const std::filesystem::path& path);
+
+// Draws the persistence diagram: each pair of finite values is a point, as far above the diagonal as it is persistent,
+// and what is below the threshold is in a shaded band. Throws std::runtime_error if the file cannot be written.
+void write_diagram(const std::filesystem::path& path,
+                   const Graph& graph,
+                   const std::vector<Persistence_pair>& pairs,
+                   std::optional<double> threshold);
 
 } // namespace reeb_graph_program
 

@@ -12,13 +12,28 @@
 #include "base/report.h"
 #include "output/output_file.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
+
+// What may be missing is null, as numbers are that are not finite.
+template <class T>
+struct nlohmann::adl_serializer<std::optional<T>>
+{
+  template <class Json>
+  static void to_json(Json& json, const std::optional<T>& value)
+  {
+    json = value ? Json(*value) : Json();
+  }
+};
 
 namespace reeb_graph_program {
 // The number of values of a field, and where they lie.
@@ -87,6 +102,31 @@ void write_field_text(std::ostream& out, const Work_report& report);
 
 // Tells how the field has been changed, if it has.
 void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_level_changes& changes);
+
+inline std::string count(std::size_t number, const std::string& singular, const std::string& plural)
+{
+  return std::to_string(number) + " " + (number == 1 ? singular : plural);
+}
+
+inline std::string count(std::size_t number, const std::string& singular)
+{
+  return count(number, singular, singular + "s");
+}
+
+// The first number of a list, if there is one.
+inline std::optional<std::size_t> first_of(const std::vector<std::size_t>& numbers)
+{
+  return numbers.empty() ? std::nullopt : std::make_optional(numbers.front());
+}
+
+// Writes the report and a line end. Names of files and fields may be no UTF-8, which JSON has to be.
+void write_line(std::ostream& out, const nlohmann::ordered_json& json);
+
+// What a repair has done, but for what it was given and has made.
+void write_steps(std::ostream& out, const Repair_counts& counts);
+void add_steps(nlohmann::ordered_json& json, const Repair_counts& counts);
+
+void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report);
 
 } // namespace reeb_graph_program
 

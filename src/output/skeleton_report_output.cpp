@@ -7,7 +7,6 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "output/report_output.h"
-#include "output/report_parts.h"
 #include "output/skeleton_output.h"
 
 #include <cstddef>

@@ -8,26 +8,44 @@
 
 #include "page/page_data.h"
 
-#include "base/base64.h"
 #include "base/progress_bar.h"
-#include "page/display_surface.h"
-#include "page/page_graph.h"
-#include "page/page_levels.h"
 #include "page/surface_follower.h"
 
+#include <CGAL/Reeb_graph/IO/vtp.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/boost/graph/iterator.h>
+
+#include <boost/endian/conversion.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <iterator>
+#include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
+// The base64 code of numbers, little-endian on any machine.
+template <class Number>
+std::string base64(const std::vector<Number>& numbers)
+{
+  std::vector<unsigned char> bytes(numbers.size() * sizeof(Number));
+  if(!numbers.empty())
+    std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  if(boost::endian::order::native == boost::endian::order::big)
+    for(auto number = bytes.begin(); number != bytes.end(); number += sizeof(Number))
+      std::reverse(number, number + sizeof(Number));
+  std::ostringstream out;
+  CGAL::Reeb_graph::internal::write_base64(out, std::move(bytes));
+  return out.str();
+}
+
 namespace {
 std::vector<double> values(const Page_subject& subject)
 {

@@ -9,22 +9,103 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PAGE_DATA_H
 #define CGAL_REEB_GRAPH_SRC_PAGE_DATA_H
 
-#include "base/Arc_table.h"
-#include "base/Field_label.h"
+#include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"
 #include "computation/simplification.h"
-#include "page/display_surface.h"
-#include "page/page_graph.h"
+
+#include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace reeb_graph_program {
+// The place and the size of the picture.
+struct Page_frame
+{
+  // Throws std::runtime_error if a coordinate is infinite, NaN, or of a size that no picture has.
+  explicit Page_frame(const Surface& surface);
+
+  // The coordinates of a point in the page, with digits for a millionth of the size.
+  std::array<double, 3> coordinates(const Point& point) const;
+
+  // The centre of the surface where the coordinates have too few digits in single precision, else 0.
+  std::array<double, 3> origin = {0, 0, 0};
+  double digits = 1; // a power of ten: the coordinates are rounded to multiples of its inverse
+};
+
+// A surface, its field, and where its vertices are in a graph.
+struct Shown_surface
+{
+  const Surface& surface;
+  Scalar_map scalar_map;
+  const std::vector<std::size_t>& places; // of the vertices, by their indices: nodes, and then arcs
+  std::size_t number_of_nodes;
+  std::vector<Surface::Vertex_index> vertices_to_keep;
+  std::optional<Patch_map> patch_map;
+};
+
+// The surface as the page shows it.
+struct Display_surface
+{
+  std::vector<float> positions;          // three for each vertex
+  std::vector<double> values;            // of the field
+  std::vector<std::uint32_t> triangles;  // three vertices for each face
+  std::vector<std::int32_t> vertex_arcs; // the number of an arc, or -1 - that of a node
+  std::optional<std::vector<std::int32_t>> face_patches;
+  bool is_decimated = false;
+  std::vector<std::uint32_t> new_numbers; // of the vertices by their indices; empty if the surface is decimated
+};
+
+// A surface of more than 200000 faces is decimated.
+Display_surface display_surface(const Shown_surface& shown, const Page_frame& frame);
+
+typedef CGAL::Reeb_graph::internal::Value_scale Value_scale;
+
+// A graph in space, with what is told of its arcs.
+struct Embedded_graph
+{
+  const Graph& graph;
+  std::vector<Point> node_points = {};
+  std::vector<Polyline> arc_polylines = {}; // from the lower node to the upper one
+  Arc_table arc_table = {};
+};
+
+// A number, or a string where JSON has none.
+nlohmann::ordered_json number_or_string(double number);
+
+// What is told of each arc.
+nlohmann::ordered_json page_columns(const Arc_table& table);
+
+// Adds the numbers of an arc.
+void add_columns(const Arc_table& table, std::size_t arc, nlohmann::ordered_json& json);
+
+// The coordinates of all points.
+nlohmann::ordered_json flat_polyline(const Polyline& polyline, const Page_frame& frame);
+
+// The columns and heights of a line in the plane.
+nlohmann::ordered_json flat_drawing(const std::vector<std::array<double, 2>>& drawing, const Value_scale& value_scale);
+
+// The nodes and arcs, without what leads from arcs to the surface.
+nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
+                                  const Page_frame& frame,
+                                  const Value_scale& value_scale);
+
+// The graph, and simplified graphs for thresholds that ascend, loops cancelled: all there are if they are few, else
+// those of the largest thresholds, and some of the others.
+nlohmann::ordered_json page_levels(const Embedded_graph& given,
+                                   const Page_frame& frame,
+                                   const Value_scale& value_scale);
+
+// The thresholds that matter, each with the last of these levels that it reaches, and whether it is the suggested one.
+nlohmann::ordered_json page_ticks(const Graph& graph, const nlohmann::ordered_json& levels);
+
 // What the data of a page are made of: a graph on its surface, with patches and curves if there are any.
 struct Page_subject
 {

@@ -9,7 +9,6 @@
 #ifndef CGAL_REEB_GRAPH_SRC_PAGE_OUTPUT_H
 #define CGAL_REEB_GRAPH_SRC_PAGE_OUTPUT_H
 
-#include "base/Field_label.h"
 #include "base/options.h"
 #include "base/surface.h"
 #include "computation/Mesh_graph.h"

@@ -8,7 +8,7 @@
 
 #include "page/page_skeleton.h"
 
-#include "base/Arc_table.h"
+#include "base/report.h"
 #include "page/page_data.h"
 
 #include <CGAL/Reeb_graph/plane_layout.h>

@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "input/File_contents.h"
 #include "input/assemble_surface.h"
-#include "input/binary_numbers.h"
 #include "input/mesh_formats.h"
 #include "input/text_blocks.h"
 #include "random_meshes.h"

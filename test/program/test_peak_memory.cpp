@@ -6,7 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/peak_memory.h"
+#include "base/costs.h"
 
 #include <cstdlib>
 #include <iostream>

@@ -6,9 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "input/close_points.h"
+#include "input/merge_points.h"
 #include "input/repair_soup.h"
-#include "input/soup_counts.h"
 #include "random_meshes.h"
 
 #include <algorithm>

@@ -6,11 +6,12 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#ifndef CGAL_REEB_GRAPH_SRC_PEAK_MEMORY_H
-#define CGAL_REEB_GRAPH_SRC_PEAK_MEMORY_H
+#ifndef CGAL_REEB_GRAPH_SRC_COSTS_H
+#define CGAL_REEB_GRAPH_SRC_COSTS_H
 
 #include <sys/resource.h>
 
+#include <chrono>
 #include <cstddef>
 
 namespace reeb_graph_program {
@@ -27,6 +28,15 @@ inline std::size_t peak_memory_bytes()
   return unit * static_cast<std::size_t>(usage.ru_maxrss);
 }
 
+class Stopwatch
+{
+public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 } // namespace reeb_graph_program
 
-#endif // CGAL_REEB_GRAPH_SRC_PEAK_MEMORY_H
+#endif // CGAL_REEB_GRAPH_SRC_COSTS_H
