@@ -125,6 +125,8 @@ void add_curves_command(CLI::App& app, Curves_options& options)
     "as its color, and keep the fields of the vertices of such a file, or of another one of VTK");
   add_file(*command, "--patches", options.patches_path,
            "Write the number of the patch of each face of the cut mesh to this file, one per line");
+  add_file(*command, "--pieces", options.pieces_path,
+           "Write the triangles of each patch N to a file piece_N.ply in this folder");
   add_file(
     *command, "--vertex-map", options.vertex_map_path,
     "For disks: write the number, from 0, of the vertex of the input that each vertex of the cut mesh is a copy of "
@@ -254,6 +256,11 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
   add_output_files(*command, options.output_paths,
                    "Write the skeleton to these files, .swc (trees, in which each loop is cut once), .vtp, "
                    ".polylines.txt, .graphml, or .csv (a line for each branch, with what is measured of it)");
+  add_file(*command, "--mesh-out", options.mesh_path,
+           "Write the mesh to this file, .ply or .vtp, with numbers of each face: branch; arc, the same, but -1 in "
+           "junctions; and junction, 1 in junctions and 0 elsewhere");
+  add_file(*command, "--pieces", options.pieces_path,
+           "Write the faces of each branch N to a file piece_N.ply in this folder");
   add_page_options(*command, options.page_path, options.unit, options.up);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);

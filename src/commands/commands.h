@@ -63,6 +63,7 @@ struct Curves_options
   std::string curves_path; // empty if they are not written
   std::string cut_mesh_path;
   std::string patches_path;
+  std::string pieces_path;     // a folder
   std::string vertex_map_path; // of disks
   std::string graph_path;
   std::string mesh_path;
@@ -110,7 +111,8 @@ struct Skeleton_command_options
   Input_options input;
   Skeleton_settings settings;
   std::vector<std::string> output_paths;
-  std::string page_path, unit, up; // the page is not written if its path is empty
+  std::string mesh_path, pieces_path; // empty if they are not written, as the page
+  std::string page_path, unit, up;    // the page is not written if its path is empty
   bool is_report_json = false;
   std::size_t number_of_threads = 0; // 0: one per core
 };

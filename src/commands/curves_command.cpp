@@ -82,8 +82,8 @@ void check_formats(const Curves_options& options)
 std::vector<std::filesystem::path> output_files(const Curves_options& options)
 {
   std::vector<std::filesystem::path> paths = graph_files(options.graph_path);
-  paths.insert(paths.end(), {options.curves_path, options.cut_mesh_path, options.patches_path, options.vertex_map_path,
-                             options.mesh_path, options.page_path});
+  paths.insert(paths.end(), {options.curves_path, options.cut_mesh_path, options.patches_path, options.pieces_path,
+                             options.vertex_map_path, options.mesh_path, options.page_path});
   return paths;
 }
 
@@ -132,6 +132,8 @@ void write_files(const Curves_options& options, const Surface& surface, const Cu
     write_surface_with_patches(options.cut_mesh_path, surface, result.patch_map, notes);
   if(!options.patches_path.empty())
     write_integers(options.patches_path, {result.patch_map.begin(), result.patch_map.end()});
+  if(!options.pieces_path.empty())
+    write_pieces(options.pieces_path, surface, {result.patch_map.begin(), result.patch_map.end()});
 }
 
 void write_graph_file(const Curves_options& options, Mesh_graph& graph)

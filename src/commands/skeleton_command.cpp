@@ -11,11 +11,13 @@
 #include "computation/skeleton.h"
 #include "input/field_input.h"
 #include "output/graph_output.h"
+#include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/report_output.h"
 #include "output/skeleton_output.h"
 #include "page/page_output.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -35,7 +37,9 @@ std::vector<std::filesystem::path> check_options(const Skeleton_command_options&
     outputs.emplace_back(path);
   }
   check_page(options.page_path, options.up);
-  outputs.emplace_back(options.page_path);
+  if(!options.mesh_path.empty())
+    check_format_with_numbers(options.mesh_path);
+  outputs.insert(outputs.end(), {options.mesh_path, options.pieces_path, options.page_path});
   if(!(options.settings.pruning_ratio >= 0))
     throw std::runtime_error("--pruning-ratio must not be negative or NaN");
   if(!(options.settings.sampling_ratio >= 0.01 && options.settings.sampling_ratio <= 100))
@@ -75,6 +79,10 @@ void run_skeleton(const Skeleton_command_options& options)
     write_skeleton(path, report.skeleton);
     note_lost_parts(path, report.skeleton, report.notes);
   }
+  if(!options.mesh_path.empty())
+    write_skeleton_mesh(options.mesh_path, surface, report.skeleton);
+  if(!options.pieces_path.empty())
+    write_pieces(options.pieces_path, surface, report.skeleton.face_arcs);
   if(!options.page_path.empty())
   {
     const auto& known = report.skeleton.certificate;
@@ -85,7 +93,7 @@ void run_skeleton(const Skeleton_command_options& options)
   }
   files.put_in_place();
   note_lost_unit(options.unit, !options.page_path.empty(), report.notes);
-  if(!options.output_paths.empty() || !options.page_path.empty())
+  if(std::any_of(outputs.begin(), outputs.end(), [](const auto& path) { return !path.empty(); }))
     report.add_seconds("output", output_stopwatch.seconds());
   write_report(options.is_report_json, outputs, report);
 }

@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 #include <CGAL/Reeb_graph/skeleton/find_branch_faces.h>
 
-#include <boost/property_map/vector_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +58,7 @@ std::vector<std::size_t> spread(const std::vector<std::vector<Way>>& ways,
 
 void complete(Skeleton& skeleton)
 {
+  CGAL::Reeb_graph::mark_junctions(skeleton.graph);
   skeleton.arcs = CGAL::Reeb_graph::skeleton_arcs(skeleton.graph);
   skeleton.trees = CGAL::Reeb_graph::skeleton_trees(skeleton.graph);
   skeleton.branches = CGAL::Reeb_graph::measure_branches(skeleton.graph, skeleton.trees);
@@ -83,8 +84,11 @@ Skeleton extract_skeleton(const Surface& surface,
       skeleton.vertex_map[of_surface] = v;
   complete(skeleton);
   skeleton.face_arcs.resize(surface.num_faces());
+  skeleton.are_faces_in_junctions.resize(surface.num_faces());
+  const auto face_index_map = get(CGAL::face_index, surface);
   CGAL::Reeb_graph::find_branch_faces(
-    surface, graph, boost::make_iterator_property_map(skeleton.face_arcs.begin(), get(CGAL::face_index, surface)));
+    surface, graph, boost::make_iterator_property_map(skeleton.face_arcs.begin(), face_index_map),
+    boost::make_iterator_property_map(skeleton.are_faces_in_junctions.begin(), face_index_map));
   for(auto& branch : skeleton.branches)
     branch.area = 0;
   for(const Surface::Face_index f : surface.faces())

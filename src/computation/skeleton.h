@@ -39,6 +39,7 @@ struct Skeleton
   std::vector<CGAL::Reeb_graph::Skeleton_branch> branches; // what is measured of each arc
   std::vector<std::size_t> vertex_map;                     // the point of each vertex of the surface, or none
   std::vector<std::size_t> face_arcs;                      // of each face
+  std::vector<char> are_faces_in_junctions;
   CGAL::Reeb_graph::Skeleton_certificate certificate = {};
 };
 

@@ -13,6 +13,7 @@
 #include "output/output_file.h"
 
 #include <CGAL/IO/Color.h>
+#include <CGAL/IO/PLY.h>
 #include <CGAL/Reeb_graph/IO/vtp.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
@@ -28,7 +29,9 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -432,6 +435,73 @@ void write_coloured_surface(const std::filesystem::path& path, Surface surface, 
 {
   add_vertex_colours(surface, scalar_map);
   write_binary_ply(path, surface);
+}
+
+void check_format_with_numbers(const std::filesystem::path& path)
+{
+  ending_of(path, "a mesh with branches", {".ply", ".vtp"});
+}
+
+void write_surface_with_numbers(const std::filesystem::path& path,
+                                Surface surface,
+                                const std::vector<Face_numbers>& columns)
+{
+  const bool is_ply = ending_of(path, "a mesh with branches", {".ply", ".vtp"}) == ".ply";
+  surface.remove_all_property_maps();
+  std::vector<CGAL::Reeb_graph::Attribute> attributes;
+  Face_color_map face_colours;
+  for(const auto& [name, numbers] : columns)
+  {
+    const auto map = add_column<Surface::Face_index>(surface, surface.faces(), "f:" + name, numbers);
+    if(attributes.empty())
+      face_colours = add_face_colours(surface, map);
+    attributes.push_back(attribute(name, numbers));
+  }
+  if(is_ply)
+    return write_binary_ply(path, surface);
+  write_file(path, [&](std::ostream& stream) {
+    CGAL::Reeb_graph::write_mesh_vtp(stream, surface,
+                                     CGAL::parameters::face_attributes(attributes).face_color_map(face_colours));
+  });
+}
+
+void write_pieces(const std::filesystem::path& folder, const Surface& surface, const std::vector<std::size_t>& pieces)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if(error || !std::filesystem::is_directory(folder))
+    throw Output_error(folder.string() + ": the folder cannot be made");
+  std::vector<std::vector<Surface::Face_index>> faces_of_pieces;
+  for(const Surface::Face_index f : surface.faces())
+  {
+    faces_of_pieces.resize((std::max)(faces_of_pieces.size(), pieces[f] + 1));
+    faces_of_pieces[pieces[f]].push_back(f);
+  }
+  std::vector<std::size_t> numbers(surface.number_of_vertices()), owners(numbers.size(), faces_of_pieces.size());
+  for(std::size_t piece = 0; piece != faces_of_pieces.size(); ++piece)
+  {
+    std::vector<Point> points;
+    std::vector<std::array<std::size_t, 3>> triangles; // no mesh, as two fans of a piece may touch
+    for(const Surface::Face_index f : faces_of_pieces[piece])
+    {
+      triangles.emplace_back();
+      std::size_t i = 0;
+      for(const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(f)))
+      {
+        if(std::exchange(owners[v], piece) != piece)
+        {
+          numbers[v] = points.size();
+          points.push_back(surface.point(v));
+        }
+        triangles.back()[i++] = numbers[v];
+      }
+    }
+    if(!triangles.empty())
+      write_file(folder / ("piece_" + std::to_string(piece) + ".ply"), [&](std::ostream& stream) {
+        CGAL::IO::set_binary_mode(stream);
+        CGAL::IO::write_PLY(stream, points, triangles);
+      });
+  }
 }
 
 void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map, Notes& notes)

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -66,6 +67,16 @@ void write_coloured_surface(const std::filesystem::path& path, Surface surface, 
 
 // The mesh in any format: .ply and .vtp have the patch of each face as a number, and a colour for each patch.
 void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map, Notes& notes);
+
+// The mesh as .ply or .vtp, with numbers of its faces by their names, and a colour for each of the first ones.
+typedef std::pair<std::string, std::vector<int>> Face_numbers;
+void write_surface_with_numbers(const std::filesystem::path& path,
+                                Surface surface,
+                                const std::vector<Face_numbers>& columns);
+void check_format_with_numbers(const std::filesystem::path& path);
+
+// A file piece_N.ply in the folder, which is made, for the faces with each number N.
+void write_pieces(const std::filesystem::path& folder, const Surface& surface, const std::vector<std::size_t>& pieces);
 
 // Whether the format has room for numbers of vertices and faces.
 bool has_room_for_numbers(const std::filesystem::path& path);

@@ -8,6 +8,7 @@
 
 #include "output/skeleton_output.h"
 
+#include "output/mesh_output.h"
 #include "output/output_file.h"
 
 #include <CGAL/Reeb_graph/IO/polylines.h>
@@ -19,7 +20,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -50,27 +53,75 @@ void write_swc(std::ostream& out, const Skeleton& skeleton)
   }
 }
 
-// A line for each arc, with the arrays that VMTK has for centerlines.
+// Lines of a skeleton that lie in junctions, or outside, without loops, with numbers as VMTK has them for centerlines.
+struct Grouped_lines
+{
+  explicit Grouped_lines(const Skeleton& skeleton) : points(num_vertices(skeleton.graph))
+  {
+    const auto& graph = skeleton.graph;
+    std::iota(points.begin(), points.end(), std::size_t(0));
+    std::vector<std::size_t> copies(num_edges(graph), Skeleton::none); // at which loops are cut
+    for(const auto& record : skeleton.trees)
+      if(record.original != Skeleton::none)
+      {
+        copies[record.edge] = points.size();
+        points.push_back(record.vertex);
+      }
+    std::vector<std::size_t> lines_of_edges;
+    auto e = edges(graph).first; // along the arcs, in their order
+    for(std::size_t arc = 0; arc != skeleton.arcs.size(); ++arc)
+      for(std::size_t i = 1; i != skeleton.arcs[arc].size(); ++i)
+      {
+        const bool is_in_junction = graph[*e++].is_in_junction;
+        std::size_t from = skeleton.arcs[arc][i - 1], to = skeleton.arcs[arc][i];
+        if(const std::size_t copy = copies[lines_of_edges.size()]; copy != Skeleton::none)
+          (points[copy] == to ? to : from) = copy;
+        if(i == 1 || lines.back().back() != from || are_in_junctions.back() != is_in_junction)
+        {
+          lines.push_back({from});
+          arcs.push_back(arc);
+          are_in_junctions.push_back(is_in_junction);
+        }
+        lines.back().push_back(to);
+        lines_of_edges.push_back(lines.size() - 1);
+      }
+    tracts.assign(lines.size(), Skeleton::none);
+    for(const auto& record : skeleton.trees)
+      if(record.parent != Skeleton::none)
+      {
+        const std::size_t line = lines_of_edges[record.edge], before = skeleton.trees[record.parent].edge;
+        if(tracts[line] == Skeleton::none)
+          tracts[line] = before == Skeleton::none ? 0 : tracts[lines_of_edges[before]] + 1;
+      }
+  }
+
+  std::vector<std::size_t> points; // of the skeleton
+  std::vector<std::vector<std::size_t>> lines;
+  std::vector<std::size_t> arcs, tracts; // of lines; a tract is the number of lines that lead there from the root
+  std::vector<bool> are_in_junctions;
+};
+
+// With the arrays that VMTK has for centerlines.
 void write_vtp(std::ostream& out, const Skeleton& skeleton)
 {
+  const Grouped_lines grouped(skeleton);
   CGAL::Reeb_graph::internal::Vtp_document::Cells lines;
   std::vector<double> coordinates, radii, inscribed_radii;
-  for(const auto v : CGAL::make_range(vertices(skeleton.graph)))
+  for(const std::size_t v : grouped.points)
   {
     CGAL::Reeb_graph::internal::add_coordinates(skeleton.graph[v].point, coordinates);
     radii.push_back(skeleton.graph[v].radius);
     inscribed_radii.push_back(skeleton.graph[v].inscribed_radius);
   }
-  std::vector<std::int64_t> arcs, components, depths, zeros;
-  for(std::size_t arc = 0; arc != skeleton.arcs.size(); ++arc)
+  typedef std::vector<std::int64_t> Numbers;
+  Numbers groups, components;
+  for(std::size_t i = 0; i != grouped.lines.size(); ++i)
   {
-    for(const std::size_t v : skeleton.arcs[arc])
-      lines.add_point(v);
+    for(const std::size_t point : grouped.lines[i])
+      lines.add_point(point);
     lines.end_cell();
-    arcs.push_back(static_cast<std::int64_t>(arc));
-    components.push_back(static_cast<std::int64_t>(skeleton.branches[arc].component));
-    depths.push_back(static_cast<std::int64_t>(skeleton.branches[arc].depth));
-    zeros.push_back(0);
+    groups.push_back(static_cast<std::int64_t>(i));
+    components.push_back(static_cast<std::int64_t>(skeleton.branches[grouped.arcs[i]].component));
   }
   CGAL::Reeb_graph::internal::Vtp_document document(out, radii.size(), {}, lines, {});
   document.write_section("PointData", "Radius", [&] {
@@ -78,10 +129,11 @@ void write_vtp(std::ostream& out, const Skeleton& skeleton)
     document.write_array("MaximumInscribedSphereRadius", inscribed_radii);
   });
   document.write_section("CellData", "GroupIds", [&] {
-    document.write_array("GroupIds", arcs);
+    document.write_array("GroupIds", groups);
     document.write_array("CenterlineIds", components);
-    document.write_array("TractIds", depths);
-    document.write_array("Blanking", zeros);
+    document.write_array("TractIds", Numbers(grouped.tracts.begin(), grouped.tracts.end()));
+    document.write_array("Blanking", Numbers(grouped.are_in_junctions.begin(), grouped.are_in_junctions.end()));
+    document.write_array("BranchIds", Numbers(grouped.arcs.begin(), grouped.arcs.end()));
   });
   document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });
   document.finish();
@@ -95,18 +147,25 @@ void write_graphml(std::ostream& out, const Skeleton& skeleton)
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n";
   for(const char* name : {"x", "y", "z", "radius", "inscribed_radius"})
     out << "<key id=\"" << name << "\" for=\"node\" attr.name=\"" << name << "\" attr.type=\"double\"/>\n";
-  out << "<key id=\"arc\" for=\"edge\" attr.name=\"arc\" attr.type=\"long\"/>\n<graph edgedefault=\"undirected\">\n";
+  out << "<key id=\"arc\" for=\"edge\" attr.name=\"arc\" attr.type=\"long\"/>\n"
+         "<key id=\"junction\" for=\"all\" attr.name=\"junction\" attr.type=\"boolean\"/>\n"
+         "<graph edgedefault=\"undirected\">\n";
+  const auto is_in_junction = [](const auto& part) {
+    return std::string("<data key=\"junction\">") + (part.is_in_junction ? "true" : "false") + "</data>";
+  };
   for(const auto v : CGAL::make_range(vertices(skeleton.graph)))
   {
     const auto& point = skeleton.graph[v];
     const Point& p = point.point;
     out << "<node id=\"" << v << "\"><data key=\"x\">" << p.x() << "</data><data key=\"y\">" << p.y()
         << "</data><data key=\"z\">" << p.z() << "</data><data key=\"radius\">" << point.radius
-        << "</data><data key=\"inscribed_radius\">" << point.inscribed_radius << "</data></node>\n";
+        << "</data><data key=\"inscribed_radius\">" << point.inscribed_radius << "</data>" << is_in_junction(point)
+        << "</node>\n";
   }
   for(const auto e : CGAL::make_range(edges(skeleton.graph)))
     out << "<edge source=\"" << source(e, skeleton.graph) << "\" target=\"" << target(e, skeleton.graph)
-        << "\"><data key=\"arc\">" << skeleton.graph[e].arc << "</data></edge>\n";
+        << "\"><data key=\"arc\">" << skeleton.graph[e].arc << "</data>" << is_in_junction(skeleton.graph[e])
+        << "</edge>\n";
   out << "</graph>\n</graphml>\n";
 }
 
@@ -135,6 +194,16 @@ void write_csv(std::ostream& out, const Skeleton& skeleton)
 }
 
 } // namespace
+
+void write_skeleton_mesh(const std::filesystem::path& path, const Surface& surface, const Skeleton& skeleton)
+{
+  std::vector<int> branches(skeleton.face_arcs.begin(), skeleton.face_arcs.end()), arcs = branches;
+  const std::vector<int> junctions(skeleton.are_faces_in_junctions.begin(), skeleton.are_faces_in_junctions.end());
+  for(std::size_t i = 0; i != arcs.size(); ++i)
+    if(junctions[i] != 0)
+      arcs[i] = -1;
+  write_surface_with_numbers(path, surface, {{"branch", branches}, {"arc", arcs}, {"junction", junctions}});
+}
 
 void check_skeleton_format(const std::filesystem::path& path) { format_of_skeleton(path); }
 

@@ -31,6 +31,10 @@ void check_skeleton_format(const std::filesystem::path& path);
 // Writes a .swc, .vtp, .polylines.txt, .graphml, or .csv file.
 void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton);
 
+// Writes the surface as .ply or .vtp, with the branch of each face, the same as its arc, but -1 in junctions, and whether it
+// is in one.
+void write_skeleton_mesh(const std::filesystem::path& path, const Surface& surface, const Skeleton& skeleton);
+
 // Notes what such a file has no room for: loops of trees, radii of polylines.
 void note_lost_parts(const std::filesystem::path& path, const Skeleton& skeleton, std::vector<std::string>& notes);
 

@@ -107,16 +107,17 @@ void check_branches(const std::vector<Skeleton_record>& trees, const std::vector
     BOOST_TEST((is_root || branches[branch.parent].component == branch.component));
     BOOST_TEST(std::isnan(branch.tortuosity) == (branch.first == branch.last));
     BOOST_TEST(!(branch.tortuosity < 1 - 1e-9));
-    BOOST_TEST((branch.least_radius <= branch.radius && branch.radius <= branch.greatest_radius));
+    BOOST_TEST(branch.radius >= branch.least_radius * (1 - 1e-9));
+    BOOST_TEST(branch.radius <= branch.greatest_radius * (1 + 1e-9));
     const double r = 3.141592653589793 * branch.length;
     BOOST_TEST(branch.volume >= r * branch.least_radius * branch.least_radius * (1 - 1e-9));
     BOOST_TEST(branch.volume <= r * branch.greatest_radius * branch.greatest_radius * (1 + 1e-9));
   }
 }
 
-// Each face has an arc, and those of one are connected.
-template <class Mesh, class Map>
-void check_faces(const Mesh& mesh, const Map& arc_map, std::size_t number_of_arcs)
+// Each face has an arc, and those of one are connected, and meet those of others in junctions only.
+template <class Mesh, class Map, class Junction_map>
+void check_faces(const Mesh& mesh, const Map& arc_map, const Junction_map& junction_map, std::size_t number_of_arcs)
 {
   std::set<std::size_t> arcs;
   std::set<typename boost::graph_traits<Mesh>::face_descriptor> reached;
@@ -133,6 +134,8 @@ void check_faces(const Mesh& mesh, const Map& arc_map, std::size_t number_of_arc
         if(!is_border(opposite(h, mesh), mesh))
         {
           const auto neighbor = face(opposite(h, mesh), mesh);
+          if(get(arc_map, neighbor) != get(arc_map, part[i]))
+            BOOST_TEST((get(junction_map, neighbor) && get(junction_map, part[i])));
           if(get(arc_map, neighbor) == get(arc_map, first) && reached.insert(neighbor).second)
             part.push_back(neighbor);
         }
@@ -155,8 +158,9 @@ std::vector<Skeleton_branch> check_all(const Mesh& mesh)
   const std::vector<Skeleton_branch> branches = measure_branches(skeleton, trees);
   check_branches(trees, branches);
   const auto arc_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-  find_branch_faces(mesh, skeleton, arc_map);
-  check_faces(mesh, arc_map, branches.size());
+  const auto junction_map = get(CGAL::dynamic_face_property_t<bool>(), mesh);
+  find_branch_faces(mesh, skeleton, arc_map, junction_map);
+  check_faces(mesh, arc_map, junction_map, branches.size());
   return branches;
 }
 } // namespace
@@ -177,6 +181,67 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(branches_of_tubes, Mesh, Meshes)
       BOOST_TEST(std::abs(length - sample.length) <= 0.07 * sample.length);
       BOOST_TEST(number_of_components == sample.components);
     }
+}
+
+namespace {
+// A branch of radius 2 on a tube of radius 10.
+Tubes tube_with_branch(double lean)
+{
+  Tubes sample;
+  sample.tubes = {{{0, 0, -45}, {0, 0, 45}, 10, 10}, {{0, 0, 0}, {40, 0, lean}, 2, 2}};
+  sample.cell_size = 1;
+  return sample;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(thin_branches_of_wide_tubes)
+{
+  for(const double lean : {0., 20.})
+  {
+    const Tubes sample = tube_with_branch(lean);
+    const auto soup = tube_samples::surface(sample);
+    for(const double noise : {0., 0.05, 0.1})
+      BOOST_TEST_CONTEXT("lean " << lean << " noise " << noise)
+      {
+        const auto mesh = make_mesh<Surface_mesh>(tube_samples::with_noise(soup, sample, noise, 3));
+        Curve_skeleton<Surface_mesh> skeleton;
+        extract_curve_skeleton(mesh, skeleton);
+        const std::vector<Skeleton_branch> branches = measure_branches(skeleton, skeleton_trees(skeleton));
+        BOOST_REQUIRE(branches.size() == 3u);
+        const auto less = [](const Skeleton_branch& a, const Skeleton_branch& b) { return a.radius < b.radius; };
+        const auto thin = std::min_element(branches.begin(), branches.end(), less);
+        const auto number = static_cast<std::size_t>(thin - branches.begin());
+        BOOST_TEST(std::abs(thin->radius - 2) <= 0.1);
+        BOOST_TEST(thin->greatest_radius <= 2.2);
+        for(std::size_t i = 0; i != 3; ++i)
+          if(i != number)
+            BOOST_TEST(std::abs(branches[i].radius - 10) <= 0.5);
+
+        auto arc_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+        auto junction_map = get(CGAL::dynamic_face_property_t<bool>(), mesh);
+        find_branch_faces(mesh, skeleton, arc_map, junction_map);
+        check_faces(mesh, arc_map, junction_map, branches.size());
+        for(const auto f : faces(mesh))
+        {
+          tube_samples::Point center = {0, 0, 0};
+          for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+            for(int i = 0; i != 3; ++i)
+              center[static_cast<std::size_t>(i)] += mesh.point(v)[i] / 3;
+          const bool is_thin = sample.tubes[1].distance_to(center) < sample.tubes[0].distance_to(center);
+          const auto& tube = sample.tubes[is_thin ? 1 : 0];
+          const double height =
+            tube_samples::distance(tube_samples::between(tube.from, tube.to, tube.place(center)), {0, 0, 0});
+          // the truth is a ball of radius 10; the thin tube leaves the wide one where it is oblique
+          const double slack = is_thin ? 2 : 10, leaving = is_thin ? 10 * std::hypot(1, lean / 40) : 10;
+          if(get(junction_map, f))
+            BOOST_TEST(height <= leaving + slack + 1);
+          else
+            BOOST_TEST(height >= 10 - slack - 1);
+          if(height > leaving + slack + 1)
+            BOOST_TEST((get(arc_map, f) == number) == is_thin);
+        }
+      }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(branches_of_solids_of_cubes)

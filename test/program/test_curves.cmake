@@ -6,7 +6,7 @@ expect_success(field surface.off --type height --direction 0.9,0.4,0.15 --output
 set(surface surface.off --scalars scalars.txt)
 expect_success(curves ${surface} --type cutting-system)
 expect_equal("${output}" "3 curves, 1 patch\n")
-expect_success(curves ${surface} --type pants --curves c.polylines.txt --cut-mesh cut.off --patches patches.txt)
+expect_success(curves ${surface} --type pants --curves c.polylines.txt --cut-mesh cut.off --patches patches.txt --pieces pieces)
 expect_equal("${output}" "6 curves, 4 patches\n")
 
 # closed polylines
@@ -31,6 +31,10 @@ expect_equal("${number_of_patches}" "${number_of_faces}")
 list(REMOVE_DUPLICATES patches)
 list(SORT patches)
 expect_equal("${patches}" "0;1;2;3")
+foreach(number RANGE 3)
+  expect_json(1 components ARGUMENTS pieces/piece_${number}.ply --field z)
+  expect_json(-1 euler_characteristic ARGUMENTS pieces/piece_${number}.ply --field z)
+endforeach()
 expect_json(1 components ARGUMENTS cut.off --field z)
 expect_json(3 genus ARGUMENTS cut.off --field z)
 

@@ -251,23 +251,63 @@ def check_colours(vtk_rendering, data):
                 check(low == high or len(tuples) > 1, f"{array.GetName()} has one colour")
 
 
-def check_skeleton_by_vtk(vtk_io):
-    report = run("skeleton", mesh, "--output", "skeleton.vtp", "--output", "skeleton.polylines.txt")
+def check_skeleton_by_vtk(vtk_io, vtk_ply):
+    report = run("skeleton", mesh, "--output", "skeleton.vtp", "--output", "skeleton.polylines.txt", "skeleton.csv",
+                 "--mesh-out", "faces.ply", "--pieces", "pieces")
     data = read_by_vtk(vtk_io, "skeleton.vtp")
-    check(data.GetNumberOfPoints() == report["points"], "the points of the skeleton are others")
-    check(data.GetNumberOfLines() == data.GetNumberOfCells() == len(report["arcs"]), "there is not a line for each arc")
+    number_of_points, number_of_lines = data.GetNumberOfPoints(), data.GetNumberOfLines()
+    check(number_of_points == report["points"] + report["loops"], "there is not a copy for each loop")
+    check(number_of_lines == data.GetNumberOfCells(), "there are other cells than lines")
     of_points, of_cells = data.GetPointData(), data.GetCellData()
     for name in ("MaximumInscribedSphereRadius", "Radius"):
         array = of_points.GetArray(name)
-        check(array.GetNumberOfTuples() == report["points"], f"there is not a number for each point: {name}")
-        check(all(array.GetValue(i) >= 0 for i in range(report["points"])), f"a radius is negative: {name}")
-    lines = [line.split() for line in (folder / "skeleton.polylines.txt").read_text().splitlines()]
-    for i, line in enumerate(lines):
-        ids = data.GetCell(i).GetPointIds()
-        points = [c for j in range(ids.GetNumberOfIds()) for c in data.GetPoint(ids.GetId(j))]
-        check(int(line[0]) * 3 == len(points) and are_close(map(float, line[1:]), points), "a line of a skeleton is another")
-        found = [of_cells.GetArray(name).GetValue(i) for name in ("GroupIds", "CenterlineIds", "Blanking")]
-        check(found == [i, 0, 0] and of_cells.GetArray("TractIds").GetValue(i) >= 0, "the numbers of an arc are others")
+        check(array.GetNumberOfTuples() == number_of_points, f"there is not a number for each point: {name}")
+        check(all(array.GetValue(i) >= 0 for i in range(number_of_points)), f"a radius is negative: {name}")
+    numbers = {name: [of_cells.GetArray(name).GetValue(i) for i in range(number_of_lines)]
+               for name in ("GroupIds", "CenterlineIds", "TractIds", "Blanking", "BranchIds")}
+    check(numbers["GroupIds"] == list(range(number_of_lines)), "there is not a line for each group")
+    check(numbers["TractIds"].count(0) >= 1 and set(numbers["Blanking"]) <= {0, 1}, "tracts have no root")
+    # Put together again, the lines of a branch are those of the other file. Without loops, they are trees.
+    polylines = [[float(x) for x in line.split()[1:]]
+                 for line in (folder / "skeleton.polylines.txt").read_text().splitlines()]
+    polylines = [[tuple(line[i:i + 3]) for i in range(0, len(line), 3)] for line in polylines]
+    edges = 0
+    for branch, polyline in enumerate(polylines):
+        points, blanked = [], []
+        for i in range(number_of_lines):
+            if numbers["BranchIds"][i] == branch:
+                ids = data.GetCell(i).GetPointIds()
+                line = [data.GetPoint(ids.GetId(j)) for j in range(ids.GetNumberOfIds())]
+                check(points == [] or points[-1] == line[0], "a branch has a gap")
+                points += line[1:] if points else line
+                blanked.append(numbers["Blanking"][i])
+        check(points == polyline, "a branch is another line")
+        is_cut = report["loops"] > 0  # there, a line can end outside of junctions
+        check(is_cut or all(a != b for a, b in zip(blanked, blanked[1:])), "two groups are one")
+        edges += len(points) - 1
+    check(edges == number_of_points - report["components"], "the lines have loops")
+    check(any(numbers["Blanking"]) == (report["junctions"] > 0), "junctions are not blanked")
+
+    sizes = {int(path.stem.split("_")[1]): path for path in (folder / "pieces").iterdir()}
+    with open(folder / "skeleton.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    number_of_faces = 0
+    for number, path in sizes.items():
+        reader = vtk_ply.vtkPLYReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        piece = reader.GetOutput()
+        area = 0
+        for i in range(piece.GetNumberOfCells()):
+            a, b, c = (piece.GetPoint(piece.GetCell(i).GetPointId(j)) for j in range(3))
+            u, v = minus(b, a), minus(c, a)
+            area += math.sqrt(max(dot(u, u) * dot(v, v) - dot(u, v) ** 2, 0)) / 2
+        check(math.isclose(area, float(rows[number]["area"]), rel_tol=1e-4), "the area of a piece is another")
+        number_of_faces += piece.GetNumberOfCells()
+    header = (folder / "faces.ply").read_bytes().split(b"end_header")[0].decode()
+    check(f"element face {number_of_faces}\n" in header, "pieces are not all faces")
+    for name in ("branch", "arc", "junction"):
+        check(f"property int {name}\n" in header, f"the mesh has no {name}")
 
 
 def check_by_vtk():
@@ -320,7 +360,7 @@ def check_by_vtk():
     patches = data.GetCellData().GetArray("patch")
     check(patches.GetNumberOfTuples() == data.GetNumberOfPolys() > 0, "there is not a patch for each face")
     check_colours(vtk_rendering, data)
-    check_skeleton_by_vtk(vtk_io)
+    check_skeleton_by_vtk(vtk_io, vtk_ply)
     compute("graph.dot", "--mesh-out", "mesh.ply")
     ply = vtk_ply.vtkPLYReader()
     ply.SetFileName(str(folder / "mesh.ply"))

@@ -41,8 +41,7 @@ file(STRINGS ${FOLDER}/s.polylines.txt polylines)
 list(LENGTH polylines number_of_polylines)
 expect_equal("${number_of_polylines}" "${number_of_arcs}")
 file(READ ${FOLDER}/s.vtp vtp)
-expect_match("${vtp}" "NumberOfLines=\"${number_of_arcs}\"")
-foreach(name Radius MaximumInscribedSphereRadius GroupIds CenterlineIds TractIds Blanking)
+foreach(name Radius MaximumInscribedSphereRadius GroupIds CenterlineIds TractIds Blanking BranchIds)
   expect_match("${vtp}" "Name=\"${name}\"")
 endforeach()
 
@@ -77,6 +76,19 @@ if(NOT tortuosity GREATER_EQUAL 1)
 endif()
 expect_success(skeleton neuron.off)
 expect_match("${output}" "\ncable     length [0-9.]+, ${number_of_arcs} branches, mean tortuosity 1[.0-9]*, Strahler order [23]\n")
+
+# Faces with their branch, and a file for each branch.
+expect_success(skeleton neuron.off --mesh-out m.ply --pieces pieces)
+expect_success(skeleton neuron.off --mesh-out m.vtp)
+file(READ ${FOLDER}/m.vtp vtp)
+foreach(name branch arc junction)
+  expect_match("${vtp}" "Name=\"${name}\"")
+endforeach()
+file(GLOB files ${FOLDER}/pieces/*)
+list(LENGTH files number_of_files)
+expect_equal("${number_of_files}" "${number_of_arcs}")
+expect_error("m.off: the file name" skeleton neuron.off --mesh-out m.off)
+expect_error("s.swc: the folder cannot be made" skeleton neuron.off --pieces s.swc)
 
 # Several files, all or none, and the mesh behind them.
 foreach(arguments "--output t.swc t.vtp neuron.off" "--output t.swc t.vtp neuron.off --threads 1"

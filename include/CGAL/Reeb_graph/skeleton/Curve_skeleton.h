@@ -56,6 +56,10 @@ struct Skeleton_vertex
 
   /// its place on that arc, by length: greater than 0, and less than 1; 0 for a node
   double place = 0;
+
+  /// whether it lies in a junction: on a part of an arc, from a node of three arcs or more on, that is in the ball there. The
+  /// ball is as wide as the widest tube that begins there.
+  bool is_in_junction = false;
 };
 
 /// \brief an edge of a curve skeleton.
@@ -63,6 +67,9 @@ struct Skeleton_edge
 {
   /// the number of the arc that it is a part of
   std::size_t arc = 0;
+
+  /// whether most of it lies in a junction
+  bool is_in_junction = false;
 };
 
 /// \brief a curve skeleton, as `extract_curve_skeleton()` makes it: a `boost::adjacency_list` with a `Skeleton_vertex` for

@@ -20,6 +20,7 @@
 #ifndef CGAL_REEB_GRAPH_ARE_SKELETONS_COMPILED
 #include <CGAL/Reeb_graph/skeleton/internal/make_component_skeleton.h>
 #endif
+#include <CGAL/Reeb_graph/skeleton/measure_branches.h>
 #include <CGAL/Reeb_graph_traits.h>
 
 #include <CGAL/number_utils.h>
@@ -259,6 +260,7 @@ Skeleton_certificate extract_curve_skeleton(const FaceListGraph& mesh,
       parts::make_component_skeleton(std::move(component), options, internal::Stage_progress(progress, begin, end));
     parts::add_component(reading, given, part, result, certificate);
   }
+  mark_junctions(result);
   skeleton.swap(result);
   progress.report_end();
   return certificate;

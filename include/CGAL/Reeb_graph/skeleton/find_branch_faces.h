@@ -10,8 +10,13 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
+#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/skeleton/Curve_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Junction_balls.h>
 
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -21,63 +26,168 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph {
 namespace internal::skeleton {
 
+// The beginning of an arc at a junction: a line that leaves the ball there, and the radius of the tube that it has then.
+struct Junction_arm
+{
+  typedef CGAL::Simple_cartesian<double>::Point_3 Point;
+
+  std::size_t arc;
+  double tube_radius, ball_radius;
+  std::vector<Point> line;
+
+  // How far a point is from the place on the line that is nearest, in radii of the tube, and whether that is in the ball.
+  std::pair<double, bool> distance_to(const Point& p) const
+  {
+    std::pair<double, bool> nearest = {std::numeric_limits<double>::infinity(), true};
+    for(std::size_t i = 0; i + 1 != line.size(); ++i)
+    {
+      const auto along = line[i + 1] - line[i];
+      const double size = along.squared_length(), t = size > 0 ? (p - line[i]) * along / size : 0;
+      const Point place = line[i] + std::clamp(t, 0., 1.) * along;
+      const double distance = distance_between(p, place) / tube_radius;
+      if(distance < nearest.first)
+        nearest = {distance, distance_between(place, line.front()) <= ball_radius};
+    }
+    return nearest;
+  }
+};
+
 // Pieces of a mesh, one for each arc of its skeleton, which grow from face to face.
-template <class FaceListGraph, class FaceArcMap>
+template <class FaceListGraph, class PointMap, class FaceArcMap, class FaceJunctionMap>
 class Branch_pieces
 {
 public:
-  typedef boost::graph_traits<FaceListGraph> Graph_traits;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<FaceListGraph>::face_descriptor face_descriptor;
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  Branch_pieces(const FaceListGraph& mesh, FaceArcMap arc_map) : mesh_(mesh), arc_map_(arc_map) {}
+  Branch_pieces(const FaceListGraph& mesh, PointMap point_map, FaceArcMap arc_map, FaceJunctionMap junction_map)
+    : mesh_(mesh),
+      point_map_(point_map),
+      arc_map_(arc_map),
+      junction_map_(junction_map),
+      vertex_map_(get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh))
+  {}
 
-  // Takes the faces whose corners belong to one arc only, but for those at nodes, and keeps the largest part of each piece.
+  // Near junctions, a face takes the arm whose tube is nearest, elsewhere the arc of its corners, if that is one but for
+  // nodes. The largest part of each piece is kept, and grows.
   template <class CurveSkeleton>
-  void begin(const CurveSkeleton& skeleton)
+  void find(const CurveSkeleton& skeleton)
   {
-    const auto point_map = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh_);
     for(const auto v : CGAL::make_range(vertices(skeleton)))
       for(const auto of_mesh : skeleton[v].vertices)
-        put(point_map, of_mesh, v);
-    for(const auto e : CGAL::make_range(edges(skeleton)))
-      number_of_arcs_ = (std::max)(number_of_arcs_, skeleton[e].arc + 1);
-    std::vector<face_descriptor> faces_at_arcs; // of which none may be whole
+        put(vertex_map_, of_mesh, v);
+    add_arms(skeleton);
+    std::vector<face_descriptor> shared_faces;
     for(const face_descriptor f : faces(mesh_))
     {
-      std::size_t arc = none;
-      bool is_one = true;
+      put(arc_map_, f, nearest_arm(f, none).first);
+      if(get(arc_map_, f) != none)
+        continue;
+      std::vector<std::size_t> arcs;
       for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh_), mesh_))
-      {
-        const std::size_t of_corner = skeleton[get(point_map, v)].arc;
-        is_one = is_one && (of_corner == none || arc == none || of_corner == arc);
-        arc = of_corner == none ? arc : of_corner;
-      }
-      put(arc_map_, f, is_one ? arc : none);
-      if(!is_one)
-        faces_at_arcs.push_back(f);
+        if(const std::size_t arc = skeleton[get(vertex_map_, v)].arc; arc != none)
+          arcs.push_back(arc);
+      if(!arcs.empty() && std::count(arcs.begin(), arcs.end(), arcs.front()) == std::ptrdiff_t(arcs.size()))
+        put(arc_map_, f, arcs.front());
     }
     keep_largest_parts();
-    for(const face_descriptor f : faces_at_arcs)
+    for(const face_descriptor f : faces(mesh_)) // the first one of arcs without any
       for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh_), mesh_))
-        add(f, skeleton[get(point_map, v)].arc);
+        add(f, skeleton[get(vertex_map_, v)].arc);
     grow();
     for(const face_descriptor f : faces(mesh_)) // of components without any
       if(get(arc_map_, f) == none)
       {
-        const auto edges_of_node = out_edges(get(point_map, target(halfedge(f, mesh_), mesh_)), skeleton);
-        put(arc_map_, f, skeleton[*edges_of_node.first].arc);
-        queue_.push_back(f);
+        add(f, skeleton[*out_edges(get(vertex_map_, target(halfedge(f, mesh_), mesh_)), skeleton).first].arc);
         grow();
       }
+    mark_junctions();
   }
 
 private:
+  // Finds the arms of each junction, and which of them are near each point of the skeleton.
+  template <class CurveSkeleton>
+  void add_arms(const CurveSkeleton& skeleton)
+  {
+    const Junction_balls<CurveSkeleton> balls(skeleton);
+    has_faces_.assign(balls.arcs().size(), false);
+    arms_of_points_.resize(num_vertices(skeleton));
+    std::vector<std::vector<std::size_t>> arms_of_nodes(num_vertices(skeleton));
+    const auto visit = [&](const auto& visitor) {
+      for(std::size_t arc = 0; arc != balls.arcs().size(); ++arc)
+        for(const bool is_last : {false, true})
+          if(const std::size_t inside = balls.number_inside(arc, is_last); inside > 0)
+          {
+            std::vector<std::size_t> points = balls.arcs()[arc];
+            if(is_last)
+              std::reverse(points.begin(), points.end());
+            const std::size_t outside = (std::min)(inside, points.size() - 1);
+            points.resize((std::min)(inside + 2, points.size()));
+            visitor(arc, points, outside);
+          }
+    };
+    visit([&](std::size_t arc, const std::vector<std::size_t>& points, std::size_t outside) {
+      arms_of_nodes[points.front()].push_back(arms_.size());
+      arms_.push_back({arc, skeleton[points[outside]].radius, balls.radius(points.front()), {}});
+      for(const std::size_t point : points)
+      {
+        const Coordinates c = coordinates_of(skeleton[point].point);
+        arms_.back().line.emplace_back(c[0], c[1], c[2]);
+      }
+    });
+    visit([&](std::size_t, const std::vector<std::size_t>& points, std::size_t outside) {
+      const auto& arms = arms_of_nodes[points.front()];
+      for(std::size_t i = 0; i <= outside; ++i)
+        if(auto& near = arms_of_points_[points[i]]; i > 0 || near.empty())
+          near.insert(near.end(), arms.begin(), arms.end());
+    });
+  }
+
+  // Of the arms near the corners of a face, or those of an arc only, the arc of the one whose tube is nearest, or none, and whether
+  // that is in the junction.
+  std::pair<std::size_t, bool> nearest_arm(face_descriptor f, std::size_t arc) const
+  {
+    Coordinates center = {0, 0, 0};
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh_), mesh_))
+      for(std::size_t i = 0; i != 3; ++i)
+        center[i] += coordinates_of(get(point_map_, v))[i] / 3;
+    std::pair<std::size_t, bool> nearest = {none, false};
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh_), mesh_))
+      for(const std::size_t number : arms_of_points_[get(vertex_map_, v)])
+      {
+        const Junction_arm& arm = arms_[number];
+        if(arc != none && arm.arc != arc)
+          continue;
+        const auto [distance, is_in_ball] = arm.distance_to({center[0], center[1], center[2]});
+        if(!(distance < least))
+          continue;
+        least = distance;
+        nearest = {arm.arc, is_in_ball};
+      }
+    return nearest;
+  }
+
+  // Faces of two pieces that share an edge are in junctions, too.
+  void mark_junctions()
+  {
+    for(const face_descriptor f : faces(mesh_))
+    {
+      bool is_in_junction = nearest_arm(f, get(arc_map_, f)).second;
+      visit_neighbors(f, [&](face_descriptor neighbor) {
+        is_in_junction = is_in_junction || get(arc_map_, neighbor) != get(arc_map_, f);
+      });
+      put(junction_map_, f, is_in_junction);
+    }
+  }
+
   // Makes the face the first one of an arc that has none.
   void add(face_descriptor f, std::size_t arc)
   {
@@ -101,7 +211,7 @@ private:
     const auto part_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh_);
     for(const face_descriptor f : faces(mesh_))
       put(part_map, f, none);
-    std::vector<std::vector<face_descriptor>> parts(number_of_arcs_); // the largest one of each arc
+    std::vector<std::vector<face_descriptor>> parts(has_faces_.size()); // the largest one of each arc
     for(const face_descriptor first : faces(mesh_))
     {
       const std::size_t arc = get(arc_map_, first);
@@ -121,8 +231,7 @@ private:
     }
     for(const face_descriptor f : faces(mesh_))
       put(arc_map_, f, none);
-    has_faces_.assign(number_of_arcs_, false);
-    for(std::size_t arc = 0; arc != number_of_arcs_; ++arc)
+    for(std::size_t arc = 0; arc != has_faces_.size(); ++arc)
       for(const face_descriptor f : parts[arc])
       {
         put(arc_map_, f, arc);
@@ -148,9 +257,13 @@ private:
   }
 
   const FaceListGraph& mesh_;
+  PointMap point_map_;
   FaceArcMap arc_map_;
-  std::size_t number_of_arcs_ = 0;
-  std::vector<bool> has_faces_; // of arcs
+  FaceJunctionMap junction_map_;
+  typename boost::property_map<FaceListGraph, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type vertex_map_;
+  std::vector<Junction_arm> arms_;
+  std::vector<std::vector<std::size_t>> arms_of_points_; // of the skeleton
+  std::vector<bool> has_faces_;                          // of arcs
   std::vector<face_descriptor> queue_;
 };
 
@@ -158,23 +271,45 @@ private:
 
 /// \ingroup PkgReebGraphSkeleton
 ///
-/// \brief finds the faces around each arc of a curve skeleton.
+/// \brief finds the faces around each arc of a curve skeleton, and those in junctions.
 ///
-/// The faces of an arc are connected, and each face has an arc. Arcs without a vertex of the mesh, as short ones between
-/// nodes, may have no face. It takes linear time.
+/// The faces of an arc are connected, and each face has an arc. Near a junction, that is the arc whose tube is nearest. Arcs
+/// without a vertex of the mesh, as short ones between nodes, may have no face. A face lies in a junction where the place of the
+/// arc that is nearest does, and where a face beside it has another arc. It takes linear time, if few arcs meet in each junction.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam CurveSkeleton a `Curve_skeleton` of that mesh
 /// \tparam FaceArcMap a model of `ReadWritePropertyMap` with the face descriptors of the mesh as key type and `std::size_t`
 ///         as value type
+/// \tparam FaceJunctionMap a model of `WritablePropertyMap` with the face descriptors of the mesh as key type and `bool`
+///         as value type
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param mesh the mesh
 /// \param skeleton its skeleton, as it has been extracted
 /// \param face_arc_map the result: the number of an arc for each face
-template <class FaceListGraph, class CurveSkeleton, class FaceArcMap>
-void find_branch_faces(const FaceListGraph& mesh, const CurveSkeleton& skeleton, FaceArcMap face_arc_map)
+/// \param face_junction_map the result: whether each face lies in a junction
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those below
+///
+/// \cgalNamedParamsBegin
+///   \reebGraphPoints{ReadablePropertyMap}
+/// \cgalNamedParamsEnd
+template <class FaceListGraph,
+          class CurveSkeleton,
+          class FaceArcMap,
+          class FaceJunctionMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void find_branch_faces(const FaceListGraph& mesh,
+                       const CurveSkeleton& skeleton,
+                       FaceArcMap face_arc_map,
+                       FaceJunctionMap face_junction_map,
+                       const NamedParameters& np = parameters::default_values())
 {
-  internal::skeleton::Branch_pieces<FaceListGraph, FaceArcMap>(mesh, face_arc_map).begin(skeleton);
+  const auto point_map = internal::choose_point_map(mesh, np);
+  typedef std::decay_t<decltype(point_map)> PointMap;
+  internal::skeleton::Branch_pieces<FaceListGraph, PointMap, FaceArcMap, FaceJunctionMap>(mesh, point_map, face_arc_map,
+                                                                                          face_junction_map)
+    .find(skeleton);
 }
 
 } // namespace CGAL::Reeb_graph

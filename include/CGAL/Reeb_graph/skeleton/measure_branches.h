@@ -12,6 +12,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/skeleton/Curve_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Junction_balls.h>
 #include <CGAL/Reeb_graph/skeleton/skeleton_trees.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -29,6 +30,8 @@ namespace CGAL::Reeb_graph {
 /// @{
 
 /// \brief what is measured of an arc of a curve skeleton, as a branch of a tree.
+///
+/// Radii are those of the part that lies in no junction, if there is one.
 struct Skeleton_branch
 {
   /// no branch
@@ -44,8 +47,9 @@ struct Skeleton_branch
     std::numeric_limits<double>::quiet_NaN(); ///< the length over the distance of the ends, if these differ
   double radius = 0;                          ///< the mean by length
   double least_radius = 0, greatest_radius = 0;
-  double inscribed_radius = 0;                            ///< the mean by length
-  double volume = 0;                                      ///< that of the cones between circles of these radii
+  double inscribed_radius = 0; ///< the mean by length
+  /// that of the cones between circles; in junctions, these are as wide as where the line leaves them
+  double volume = 0;
   double area = std::numeric_limits<double>::quiet_NaN(); ///< that of faces, for the user to set
 };
 
@@ -76,7 +80,74 @@ inline void place_branches(const std::vector<Skeleton_record>& records, std::vec
       branches[records[i].arc].order = (std::max)(branches[records[i].arc].order, orders[i]);
 }
 
+// Within junctions, radii are those where the arc leaves them, and have no weight in means.
+template <class CurveSkeleton>
+Skeleton_branch measure_branch(const CurveSkeleton& skeleton,
+                               const Junction_balls<CurveSkeleton>& balls,
+                               std::size_t number)
+{
+  const std::vector<std::size_t>& arc = balls.arcs()[number];
+  const std::size_t begin = balls.number_inside(number, false), rest = balls.number_inside(number, true);
+  const std::size_t first = begin + rest < arc.size() ? begin : 0;
+  const std::size_t last = begin + rest < arc.size() ? arc.size() - 1 - rest : arc.size() - 1;
+  const auto point = [&](std::size_t i) -> const auto& { return skeleton[arc[std::clamp(i, first, last)]]; };
+  const auto radius = [&](std::size_t i) { return point(i).radius; };
+  Skeleton_branch branch;
+  branch.first = arc.front();
+  branch.last = arc.back();
+  branch.least_radius = branch.greatest_radius = radius(0);
+  double weight = 0;
+  for(std::size_t i = 0; i + 1 != arc.size(); ++i)
+    weight += balls.share_outside(number, i);
+  const bool are_all_inside = !(weight > 0);
+  weight = 0;
+  for(std::size_t i = 0; i + 1 != arc.size(); ++i)
+  {
+    const double length = distance_between(skeleton[arc[i]].point, skeleton[arc[i + 1]].point);
+    const double part = are_all_inside ? length : length * balls.share_outside(number, i);
+    const double r = radius(i), s = radius(i + 1);
+    weight += part;
+    branch.length += length;
+    branch.radius += part * (r + s) / 2;
+    branch.inscribed_radius += part * (point(i).inscribed_radius + point(i + 1).inscribed_radius) / 2;
+    branch.least_radius = (std::min)(branch.least_radius, s);
+    branch.greatest_radius = (std::max)(branch.greatest_radius, s);
+    branch.volume += length * std::acos(-1.) / 3 * (r * r + r * s + s * s);
+  }
+  if(weight > 0)
+  {
+    branch.radius /= weight;
+    branch.inscribed_radius /= weight;
+  }
+  const double distance = distance_between(skeleton[arc.front()].point, skeleton[arc.back()].point);
+  if(distance > 0)
+    branch.tortuosity = branch.length / distance;
+  return branch;
+}
+
 } // namespace internal::skeleton
+
+/// \ingroup PkgReebGraphSkeleton
+///
+/// \brief sets `is_in_junction` of the vertices and edges of a curve skeleton, as `extract_curve_skeleton()` does. It takes
+/// linear time.
+///
+/// \param skeleton a curve skeleton, whose edges have the arcs, in their order
+template <class CurveSkeleton>
+void mark_junctions(CurveSkeleton& skeleton)
+{
+  const internal::skeleton::Junction_balls<CurveSkeleton> balls(skeleton);
+  auto e = edges(skeleton).first; // which are in the order of the arcs
+  for(std::size_t arc = 0; arc != balls.arcs().size(); ++arc)
+  {
+    const std::vector<std::size_t>& points = balls.arcs()[arc];
+    for(std::size_t i = 0; i != points.size(); ++i)
+      if(i < balls.number_inside(arc, false) || points.size() - i <= balls.number_inside(arc, true))
+        skeleton[points[i]].is_in_junction = true;
+    for(std::size_t i = 0; i + 1 != points.size(); ++i)
+      skeleton[*e++].is_in_junction = balls.share_outside(arc, i) < 0.5;
+  }
+}
 
 /// \ingroup PkgReebGraphSkeleton
 ///
@@ -88,34 +159,10 @@ inline void place_branches(const std::vector<Skeleton_record>& records, std::vec
 template <class CurveSkeleton>
 std::vector<Skeleton_branch> measure_branches(const CurveSkeleton& skeleton, const std::vector<Skeleton_record>& trees)
 {
+  const internal::skeleton::Junction_balls<CurveSkeleton> balls(skeleton);
   std::vector<Skeleton_branch> branches;
-  for(const auto& arc : skeleton_arcs(skeleton))
-  {
-    Skeleton_branch branch;
-    branch.first = arc.front();
-    branch.last = arc.back();
-    branch.least_radius = branch.greatest_radius = skeleton[arc.front()].radius;
-    for(std::size_t i = 1; i != arc.size(); ++i)
-    {
-      const auto &a = skeleton[arc[i - 1]], &b = skeleton[arc[i]];
-      const double length = internal::distance_between(a.point, b.point);
-      branch.length += length;
-      branch.radius += length * (a.radius + b.radius) / 2;
-      branch.inscribed_radius += length * (a.inscribed_radius + b.inscribed_radius) / 2;
-      branch.least_radius = (std::min)(branch.least_radius, b.radius);
-      branch.greatest_radius = (std::max)(branch.greatest_radius, b.radius);
-      branch.volume += length * std::acos(-1.) / 3 * (a.radius * a.radius + a.radius * b.radius + b.radius * b.radius);
-    }
-    if(branch.length > 0)
-    {
-      branch.radius /= branch.length;
-      branch.inscribed_radius /= branch.length;
-    }
-    const double distance = internal::distance_between(skeleton[arc.front()].point, skeleton[arc.back()].point);
-    if(distance > 0)
-      branch.tortuosity = branch.length / distance;
-    branches.push_back(branch);
-  }
+  for(std::size_t arc = 0; arc != balls.arcs().size(); ++arc)
+    branches.push_back(internal::skeleton::measure_branch(skeleton, balls, arc));
   internal::skeleton::place_branches(trees, branches);
   return branches;
 }

@@ -32,10 +32,12 @@ struct Skeleton_record
   /// no number
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  std::size_t vertex = none;   ///< of the skeleton
-  std::size_t parent = none;   ///< the number of the record that the line comes from, a smaller one; `none` at a root
-  std::size_t arc = none;      ///< the number of the arc that leads from there; `none` at a root
-  std::size_t original = none; ///< of a copy: the number of the record of the same vertex, at which a loop has been cut
+  std::size_t vertex = none; ///< of the skeleton
+  std::size_t parent = none; ///< the number of the record that the line comes from, a smaller one; `none` at a root
+  std::size_t arc = none;    ///< the number of the arc that leads from there; `none` at a root
+  std::size_t edge = none;   ///< the number of that edge, in the order of the skeleton
+  /// of a copy, at which a loop has been cut: the number of the other record of that vertex
+  std::size_t original = none;
 };
 
 /// \brief returns the trees of a curve skeleton: an edge that would close a loop ends at a copy of its vertex.
@@ -60,8 +62,8 @@ std::vector<Skeleton_record> skeleton_trees(const CurveSkeleton& skeleton, std::
   std::vector<bool> is_passed(number_of_edges, false);
   std::vector<std::size_t> numbers(num_vertices(skeleton), Skeleton_record::none);
   std::vector<Skeleton_record> records;
-  const auto add = [&](std::size_t vertex, std::size_t parent, std::size_t arc) {
-    records.push_back({vertex, parent, arc, numbers[vertex]});
+  const auto add = [&](std::size_t vertex, std::size_t parent, std::size_t arc, std::size_t edge) {
+    records.push_back({vertex, parent, arc, edge, numbers[vertex]});
     if(numbers[vertex] == Skeleton_record::none)
       numbers[vertex] = records.size() - 1;
   };
@@ -69,7 +71,7 @@ std::vector<Skeleton_record> skeleton_trees(const CurveSkeleton& skeleton, std::
   {
     if(numbers[root] != Skeleton_record::none)
       continue;
-    add(root, Skeleton_record::none, Skeleton_record::none);
+    add(root, Skeleton_record::none, Skeleton_record::none, Skeleton_record::none);
     std::vector<std::size_t> path = {root};
     while(!path.empty())
     {
@@ -84,7 +86,7 @@ std::vector<Skeleton_record> skeleton_trees(const CurveSkeleton& skeleton, std::
       const auto [e, number] = waiting.back();
       is_passed[number] = true;
       const std::size_t next = source(e, skeleton) == path.back() ? target(e, skeleton) : source(e, skeleton);
-      add(next, numbers[path.back()], skeleton[e].arc);
+      add(next, numbers[path.back()], skeleton[e].arc, number);
       if(records.back().original == Skeleton_record::none)
         path.push_back(next);
     }

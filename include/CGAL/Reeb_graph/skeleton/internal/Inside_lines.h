@@ -243,8 +243,8 @@ private:
     line = std::move(result);
   }
 
-  // Leaves points out that are much nearer to one neighbor than to the other one, where nothing is in the way, and all that are
-  // where a neighbor is.
+  // Leaves points out that are much nearer to one neighbor than to the other one, or than the radius asks for, where nothing is
+  // in the way, and all that are where a neighbor is.
   void thin(Index chain)
   {
     std::vector<Place> kept = {place_of_end(chain, false)};
@@ -265,7 +265,9 @@ private:
       const double from = distance(before.point.point, last.point.point),
                    to = distance(last.point.point, next.point.point);
       const bool is_same = from == 0 || to == 0;
-      if(!is_same && (std::min)(from, to) >= 0.1 * (std::max)(from, to))
+      // a thin branch begins far from the center of its trunk
+      const double far = (std::min)((std::max)(from, to), 4 * lines_.step(last.point.radius));
+      if(!is_same && (std::min)(from, to) >= 0.1 * far)
         break;
       if(!is_same && is_in_the_way(chain, before, last, next))
         break;

@@ -132,6 +132,9 @@ public:
     return {sample.shape.centroid, sample.shape.radius(), 0, place, sample.on_surface, sample.shape.area};
   }
 
+  // How far samples are to be apart: nearer ones tell no more of a surface of large triangles.
+  double step(double radius) const { return ratio_ * (std::max)(radius, least_radius_); }
+
 private:
   // Half of a mean edge, but no more than a fiftieth of the surface.
   static double least_radius(const Mesh& mesh)
@@ -193,9 +196,6 @@ private:
     result.point.point = result.point.on_surface = graph_.mesh().point(v);
     return result;
   }
-
-  // How far samples are to be apart: nearer ones tell no more of a surface of large triangles.
-  double step(double radius) const { return ratio_ * (std::max)(radius, least_radius_); }
 
   // Places twice a step apart for the widest contour, then half of it where two samples are farther apart than the radius allows.
   Line sample_chain(Index chain) const
