@@ -13,7 +13,6 @@
 #include "random_graphs.h"
 
 #include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
-#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 
 #include <algorithm>

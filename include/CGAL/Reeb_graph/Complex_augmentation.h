@@ -15,8 +15,8 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
@@ -26,6 +26,7 @@
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/enum.h>
 
+#include <boost/pending/disjoint_sets.hpp>
 #include <boost/unordered_map.hpp>
 #include <boost/unordered_set.hpp>
 
@@ -169,9 +170,10 @@ public:
   }
 };
 
-// By triangle, those that share an edge with it and with no third one: twice their numbers, plus one if the two pass the
-// edge in the same direction.
-inline std::vector<std::vector<std::size_t>> find_neighbors(const std::vector<std::array<std::size_t, 3>>& triangles)
+// Orients triangles alike that share an edge with no third one. In each part that is connected in this way, the way in
+// which most triangles are oriented before wins, of two halves that of the first one. A part that cannot be oriented
+// stays as it is.
+inline void orient_alike(std::vector<std::array<std::size_t, 3>>& triangles)
 {
   // two ends, and twice the number of the triangle, plus one if it passes the edge from the first end
   std::vector<std::array<std::size_t, 3>> sides;
@@ -183,46 +185,24 @@ inline std::vector<std::vector<std::size_t>> find_neighbors(const std::vector<st
       sides.push_back({(std::min)(from, to), (std::max)(from, to), 2 * t + (from < to ? 1 : 0)});
     }
   std::sort(sides.begin(), sides.end());
-  std::vector<std::vector<std::size_t>> neighbors(triangles.size());
+  // each triangle as it is, and the other way round
+  boost::disjoint_sets_with_storage<> ways(2 * triangles.size());
   for(auto side = sides.begin(), end = side; side != sides.end(); side = end)
   {
     end = std::find_if(side, sides.end(), [&](const auto& s) { return s[0] != (*side)[0] || s[1] != (*side)[1]; });
-    if(end - side != 2)
-      continue;
-    const std::size_t a = side[0][2], b = side[1][2], is_same_direction = a % 2 == b % 2 ? 1 : 0;
-    neighbors[a / 2].push_back(b / 2 * 2 + is_same_direction);
-    neighbors[b / 2].push_back(a / 2 * 2 + is_same_direction);
+    for(std::size_t way = 0; end - side == 2 && way != 2; ++way)
+      ways.union_set(side[0][2] ^ way, side[1][2] ^ way ^ 1);
   }
-  return neighbors;
-}
-
-// Orients triangles alike that share an edge with no third one. In each part that is connected in this way, the way in
-// which most triangles are oriented before wins. A part that cannot be oriented is as the search leaves it.
-inline void orient_alike(std::vector<std::array<std::size_t, 3>>& triangles)
-{
-  const std::vector<std::vector<std::size_t>> neighbors = find_neighbors(triangles);
-  std::vector<bool> is_reached(triangles.size(), false), is_turned(triangles.size(), false);
-  for(std::size_t first = 0; first != triangles.size(); ++first)
+  std::vector<std::pair<std::size_t, std::size_t>> votes(2 * triangles.size()); // and one more for the first triangle
+  for(std::size_t t = triangles.size(); t-- != 0;)
   {
-    if(is_reached[first])
-      continue;
-    is_reached[first] = true;
-    std::vector<std::size_t> part = {first};
-    for(std::size_t i = 0; i != part.size(); ++i)
-      for(const std::size_t neighbor : neighbors[part[i]])
-      {
-        if(is_reached[neighbor / 2])
-          continue;
-        is_reached[neighbor / 2] = true;
-        is_turned[neighbor / 2] = is_turned[part[i]] != (neighbor % 2 == 1);
-        part.push_back(neighbor / 2);
-      }
-    const auto number_of_turned = std::count_if(part.begin(), part.end(), [&](std::size_t t) { return is_turned[t]; });
-    const bool are_most_turned = 2 * static_cast<std::size_t>(number_of_turned) > part.size();
-    for(const std::size_t t : part)
-      if(is_turned[t] != are_most_turned)
-        std::swap(triangles[t][1], triangles[t][2]);
+    auto& [number, first] = votes[ways.find_set(2 * t)];
+    ++number;
+    first = triangles.size() - t;
   }
+  for(std::size_t t = 0; t != triangles.size(); ++t)
+    if(votes[ways.find_set(2 * t)] < votes[ways.find_set(2 * t + 1)])
+      std::swap(triangles[t][1], triangles[t][2]);
 }
 
 // The orientation of tetrahedra, which points of a three-dimensional kernel have.

@@ -16,7 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/drawing/Branch_order.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
-#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <algorithm>

@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
-#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>

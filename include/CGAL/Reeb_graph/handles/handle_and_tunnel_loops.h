@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>

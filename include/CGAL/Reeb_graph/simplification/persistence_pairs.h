@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
-#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
 #include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
-#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph_traits.h>

@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/handles/internal/Loop_halves.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_search.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 

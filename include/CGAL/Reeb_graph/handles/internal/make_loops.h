@@ -14,8 +14,8 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 #include <CGAL/compute_reeb_graph.h>
 
@@ -23,7 +23,6 @@
 #ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
 #include <CGAL/Reeb_graph/handles/internal/Loop_choice.h>
 #include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
-#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
 #endif
 
 #include <algorithm>

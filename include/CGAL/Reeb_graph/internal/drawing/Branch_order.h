@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
-#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
 
 #include <algorithm>
 #include <array>

@@ -14,14 +14,14 @@
 #include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>
-#include <CGAL/Reeb_graph/internal/graph/read_graph.h>
+#include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/compute_reeb_graph.h>
