@@ -132,7 +132,7 @@ void add_curves_command(CLI::App& app, Curves_options& options)
     "For disks: write the number, from 0, of the vertex of the input that each vertex of the cut mesh is a copy of "
     "to this file, one per line; PLY has it as property original");
   add_graph_file(*command, options.graph_path);
-  add_page_options(*command, options.page_path, options.unit, options.up);
+  add_page_options(*command, options);
   add_file(*command, "--mesh-out", options.mesh_path,
            "Write the cut mesh to this file as --cut-mesh does, but with the value, the arc, and the "
            "node of each vertex in the place of other properties");
@@ -142,7 +142,7 @@ void add_curves_command(CLI::App& app, Curves_options& options)
     [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_curves(options); }); });
 }
 
-void add_field_command(CLI::App& app, Field_options& options)
+void add_field_command(CLI::App& app, Command_options& options)
 {
   CLI::App* command = app.add_subcommand("field", "Write a scalar field, one number per line");
   add_input_options(*command, options.input);
@@ -180,7 +180,7 @@ void add_handles_command(CLI::App& app, Handles_options& options)
   add_output_files(*command, options.output_paths,
                    "Write the mesh after the removal to these files, .off, .ply, .obj, .stl, or .vtp; without a "
                    "removal, write the loops, as --loops does");
-  add_page_options(*command, options.page_path, options.unit, options.up);
+  add_page_options(*command, options);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph handles scan.ply --remove-below 5% --output clean.ply");
@@ -191,7 +191,7 @@ void add_repair_command(CLI::App& app, Repair_command_options& options)
 {
   CLI::App* command = app.add_subcommand("repair", "Make an oriented manifold surface of what a mesh is");
   begin_group(*command, "Input");
-  add_mesh_file(*command, options.mesh_path, options.are_faces_triangulated);
+  add_mesh_file(*command, options.input);
   begin_group(*command, "Repair, in this order");
   Repair_options& repair = options.repair;
   CLI::Option* merge = command->add_flag("--merge", repair.are_coinciding_points_merged,
@@ -261,7 +261,7 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
            "junctions; and junction, 1 in junctions and 0 elsewhere");
   add_file(*command, "--pieces", options.pieces_path,
            "Write the faces of each branch N to a file piece_N.ply in this folder");
-  add_page_options(*command, options.page_path, options.unit, options.up);
+  add_page_options(*command, options);
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph skeleton neuron.ply --output neuron.swc");
@@ -306,7 +306,7 @@ int run(int argc, char** argv)
   Compute_options compute_options;
   Contour_options contour_options;
   Curves_options curves_options;
-  Field_options field_options;
+  Command_options field_options;
   Handles_options handles_options;
   Repair_command_options repair_options;
   Skeleton_command_options skeleton_options;

@@ -8,7 +8,7 @@
 
 #include "objects.h"
 
-#include "base/vertex_properties.h"
+#include "base/surface.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/curves.h"
@@ -19,7 +19,6 @@
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
 #include "input/repair_soup.h"
-#include "input/scalar_input.h"
 #include "output/report_output.h"
 #include "output/skeleton_output.h"
 

@@ -12,7 +12,6 @@
 #include "base/progress_bar.h"
 #include "base/surface.h"
 #include "base/threads.h"
-#include "base/vertex_properties.h"
 #include "computation/Mesh_graph.h"
 #include "input/Polygon_soup.h"
 #include "output/output_file.h"

@@ -11,8 +11,8 @@
 
 #include "base/threads.h"
 #include "commands/commands.h"
+#include "input/field_input.h"
 #include "input/input_error.h"
-#include "input/scalar_input.h"
 #include "input/text_input.h"
 
 #include <CLI/CLI.hpp>
@@ -242,19 +242,19 @@ inline void add_format_option(CLI::App& command)
     ->type_name("NAME");
 }
 
-inline void add_mesh_file(CLI::App& command, std::string& path, bool& are_faces_triangulated)
+inline void add_mesh_file(CLI::App& command, Input_options& options)
 {
-  add_file(command, "MESH", path,
+  add_file(command, "MESH", options.mesh_path,
            "The mesh: an OFF, OBJ, PLY, STL, TS, MESH, VTK, VTU, or VTP file, or - for standard input")
     ->required();
   add_format_option(command);
-  command.add_flag("--triangulate", are_faces_triangulated, "Cut faces that are not triangles into triangles");
+  command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
 }
 
 inline void add_input_options(CLI::App& command, Input_options& options)
 {
   begin_group(command, "Input");
-  add_mesh_file(command, options.mesh_path, options.are_faces_triangulated);
+  add_mesh_file(command, options);
   begin_group(command, "Field");
   add_file(command, "--scalars", options.scalars_path,
            "A file with the field: one number per line, in the vertex order of the mesh file, or CSV, or NumPy's .npy; "
@@ -296,18 +296,19 @@ inline void add_field_option(CLI::App& command, Input_options& options, const st
   add_list_of_fields(command, "--field", coordinate_fields + computed_fields + fields_of_files);
 }
 
-inline void add_page_options(CLI::App& command, std::string& page_path, std::string& unit, std::string& up)
+inline void add_page_options(CLI::App& command, Command_options& options)
 {
-  add_file(command, "--html", page_path, "Write a page to this file, .html, that shows the graph on the surface");
+  add_file(command, "--html", options.page_path,
+           "Write a page to this file, .html, that shows the graph on the surface");
   command
-    .add_option("--up", up,
+    .add_option("--up", options.up,
                 "With --html: the upward direction, x, y, z, -x, -y, or -z. By default, it is the direction of a "
                 "height. For other "
                 "fields, it is away from the largest flat side, as if the mesh stands on that. Without such a side, it "
                 "is y for a "
                 "mesh that is as tall in y as it is wide, and z for others")
     ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
-  command.add_option("--unit", unit, "The unit of the field, for the page and for the drawing of the graph");
+  command.add_option("--unit", options.unit, "The unit of the field, for the page and for the drawing of the graph");
 }
 
 inline void add_threads_option(CLI::App& command, std::size_t& number_of_threads)
@@ -402,7 +403,7 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
   add_file(*command, "--longest-loop", options.loop_path,
            "Write the most persistent loop of the graph to this file, as a closed curve on the surface: .vtp, .obj, or "
            ".polylines.txt; --html shows it, too");
-  add_page_options(*command, options.page_path, options.unit, options.up);
+  add_page_options(*command, options);
   add_file(*command, "--simplified-scalars", options.simplified_scalars_path,
            "With --simplify or --leaves: write a field whose graph is the simplified one to this file; .npy for NumPy");
   CLI::Option* table = command->add_flag_callback(

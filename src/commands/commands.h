@@ -23,12 +23,22 @@
 #include <vector>
 
 namespace reeb_graph_program {
-struct Compute_options
+// What commands have in common, as far as they have it. Paths are empty if that file is not written.
+struct Command_options
 {
   Input_options input;
+  std::vector<std::string> output_paths; // of handles meshes without them, or loops if none are to be removed
+  std::string page_path;
+  std::string up;   // of the page: x, y, z, -x, -y, -z, or as it finds it
+  std::string unit; // of the field, for what is drawn
+  bool is_report_json = false;
+  std::size_t number_of_threads = 0; // 0: one per core
+};
+
+struct Compute_options : Command_options
+{
   Graph_options graph;
   Simplification_options simplification;
-  // Each path is empty if that file is not written.
   std::string graph_path;
   std::optional<CGAL::Reeb_graph::Embedding_manner> embedding_manner; // by default by cost
   std::string mesh_path;
@@ -37,84 +47,50 @@ struct Compute_options
   std::string diagram_path;
   std::string loop_path;
   std::string simplified_scalars_path;
-  std::string page_path;
-  std::string up;   // of the page: x, y, z, -x, -y, -z, or as it finds it
-  std::string unit; // of the field, for what is drawn
-  bool is_report_json = false;
   std::optional<bool> is_table_wanted; // by default that of a graph of few arcs
   std::string title;                   // of the page, by default the name of the mesh file
   double base = 0;                     // is added to the values of the field in files of graphs and pairs
 };
 
-struct Contour_options
+struct Contour_options : Command_options
 {
-  Input_options input;
   Contour_choice choice;
-  std::vector<std::string> output_paths;
-  bool is_report_json = false;
 };
 
-struct Curves_options
+struct Curves_options : Command_options
 {
-  Input_options input;
   Graph_options graph = {false, CGAL::Reeb_graph::Ties::CONTRACT}; // of what is written and shown of it
   Simplification_options simplification;
   Cut_options cut;
-  std::string curves_path; // empty if they are not written
+  std::string curves_path;
   std::string cut_mesh_path;
   std::string patches_path;
   std::string pieces_path;     // a folder
   std::string vertex_map_path; // of disks
   std::string graph_path;
   std::string mesh_path;
-  std::string page_path;
-  std::string up;                 // of the page: x, y, z, -x, -y, -z, or as it finds it
-  std::string unit;               // of the field, for what is drawn
   bool is_large_accepted = false; // a cut mesh of more than 50 times the triangles
-  bool is_report_json = false;
 };
 
-struct Field_options
+struct Handles_options : Command_options
 {
-  Input_options input;
-  std::vector<std::string> output_paths;
-  bool is_report_json = false;
-  std::size_t number_of_threads = 0; // 0: one per core
-};
-
-struct Handles_options
-{
-  Input_options input;
-  std::string loops_path;                      // files are empty if they are not written
+  std::string loops_path;
   std::optional<Threshold> size_to_remove;     // handles that are smaller are removed
   std::optional<std::size_t> number_to_remove; // so many at most, the smallest ones
-  std::vector<std::string> output_paths;       // meshes without the handles; loops if none are to be removed
-  std::string page_path, unit, up;
   bool are_loops_shortened = true;
   bool are_self_intersections_ignored = false;
-  bool is_report_json = false;
-  std::size_t number_of_threads = 0; // 0: one per core
 };
 
-struct Repair_command_options
+struct Repair_command_options : Command_options
 {
-  std::string mesh_path;
-  bool are_faces_triangulated = false;
   Repair_options repair;
-  std::vector<std::string> output_paths;
-  std::string map_path; // empty if it is not written
-  bool is_report_json = false;
+  std::string map_path;
 };
 
-struct Skeleton_command_options
+struct Skeleton_command_options : Command_options
 {
-  Input_options input;
   Skeleton_settings settings;
-  std::vector<std::string> output_paths;
-  std::string mesh_path, pieces_path; // empty if they are not written, as the page
-  std::string page_path, unit, up;    // the page is not written if its path is empty
-  bool is_report_json = false;
-  std::size_t number_of_threads = 0; // 0: one per core
+  std::string mesh_path, pieces_path;
 };
 
 struct Demo_options
@@ -144,7 +120,7 @@ void write_pairs_and_diagram(const Compute_options& options,
 void run_compute(const Compute_options& options);
 void run_contour(const Contour_options& options);
 void run_curves(Curves_options options);
-void run_field(const Field_options& options);
+void run_field(const Command_options& options);
 void run_handles(const Handles_options& options);
 void run_repair(const Repair_command_options& options);
 void run_skeleton(const Skeleton_command_options& options);

@@ -20,7 +20,6 @@
 #include "output/graph_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
-#include "output/pairs_output.h"
 #include "output/polylines_output.h"
 #include "output/report_output.h"
 #include "page/page_output.h"
@@ -35,11 +34,6 @@
 
 namespace reeb_graph_program {
 namespace {
-bool is_graph_in_space(const Compute_options& options)
-{
-  return !options.graph_path.empty() && is_format_in_space(options.graph_path);
-}
-
 // Whether the file of the graph has measures of arcs. On what is no surface, that can take long, and is left to who asks
 // for the table.
 bool are_attributes_written(const Compute_options& options, bool is_surface)
@@ -114,7 +108,7 @@ std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_optio
     report.seconds.emplace_back("measure", stopwatch.seconds());
   }
   std::optional<Embedding> embedding;
-  if(is_graph_in_space(options))
+  if(is_format_in_space(options.graph_path))
     embedding = embed_and_time(options, is_surface, graph, report);
   if(embedding && !has_attributes)
     attributes.clear();
@@ -141,7 +135,7 @@ void write_graph_file(const Compute_options& options,
                       const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes,
                       Report& report)
 {
-  if(options.graph_path.empty() || is_graph_in_space(options))
+  if(options.graph_path.empty() || is_format_in_space(options.graph_path))
     return;
   const Stopwatch stopwatch;
   std::optional<Graph> copy;
@@ -201,21 +195,16 @@ Loops_of_surface write_longest_loop(const Compute_options& options, Mesh_graph& 
 
 void check(const Compute_options& options)
 {
-  if(!options.graph_path.empty())
-    check_graph_format(options.graph_path);
-  if(!options.pairs_path.empty())
-    check_pairs_format(options.pairs_path);
-  if(!options.diagram_path.empty())
-    check_diagram_format(options.diagram_path);
-  if(!options.loop_path.empty())
-    check_loops_format(options.loop_path);
+  check_graph_format(options.graph_path);
+  check_pairs_format(options.pairs_path);
+  check_diagram_format(options.diagram_path);
+  check_loops_format(options.loop_path);
   check_page(options.page_path, options.up);
-  if(!options.mesh_path.empty())
-    check_mesh_format(options.mesh_path);
+  check_mesh_format(options.mesh_path);
   check_outputs(output_files(options), input_files(options.input));
   check_numbers_format(options.vertex_arcs_path);
   check_numbers_format(options.simplified_scalars_path);
-  if(options.embedding_manner && !is_graph_in_space(options))
+  if(options.embedding_manner && !is_format_in_space(options.graph_path))
     throw std::runtime_error("--embedding goes with --graph and a format in space only: .vtp, .obj, .polylines.txt, "
                              ".json, or .csv");
   check_simplification_options(options.simplification);

@@ -66,16 +66,13 @@ void check_levels_and_disks(const Curves_options& options)
 
 void check_formats(const Curves_options& options)
 {
-  if(!options.curves_path.empty() && options.cut.type == Curves_type::LEVELS)
+  if(options.cut.type == Curves_type::LEVELS)
     check_contour_format(options.curves_path, false);
-  else if(!options.curves_path.empty())
+  else
     check_polylines_format(options.curves_path);
-  if(!options.cut_mesh_path.empty())
-    check_mesh_format(options.cut_mesh_path);
-  if(!options.graph_path.empty())
-    check_graph_format(options.graph_path);
-  if(!options.mesh_path.empty())
-    check_mesh_format(options.mesh_path);
+  check_mesh_format(options.cut_mesh_path);
+  check_graph_format(options.graph_path);
+  check_mesh_format(options.mesh_path);
   check_page(options.page_path, options.up);
 }
 

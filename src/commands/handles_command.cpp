@@ -46,8 +46,7 @@ bool is_any_removed(const Handles_options& options) { return options.size_to_rem
 
 std::vector<std::filesystem::path> check_options(const Handles_options& options)
 {
-  if(!options.loops_path.empty())
-    check_loops_format(options.loops_path);
+  check_loops_format(options.loops_path);
   check_page(options.page_path, options.up);
   std::vector<std::filesystem::path> outputs = {options.loops_path, options.page_path};
   if(is_any_removed(options) && options.output_paths.empty())

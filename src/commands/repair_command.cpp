@@ -8,7 +8,7 @@
 
 #include "base/costs.h"
 #include "base/progress_bar.h"
-#include "base/vertex_properties.h"
+#include "base/surface.h"
 #include "commands/commands.h"
 #include "input/input_error.h"
 #include "input/merge_points.h"
@@ -60,15 +60,15 @@ void add_fields(const Repair_command_options& options,
 {
   const std::vector<std::string>& outputs = options.output_paths;
   report.lost_fields =
-    fields_not_kept(options.mesh_path, std::all_of(outputs.begin(), outputs.end(), has_room_for_numbers));
+    fields_not_kept(options.input.mesh_path, std::all_of(outputs.begin(), outputs.end(), has_room_for_numbers));
   for(const std::string& output : outputs)
-    note_lost_parts(output, options.mesh_path, report.notes);
+    note_lost_parts(output, options.input.mesh_path, report.notes);
   if(std::none_of(outputs.begin(), outputs.end(), has_room_for_numbers))
     return;
   Surface given;
   for(std::size_t i = 0; i < result.new_vertices.size(); ++i)
     given.add_vertex(Point(0, 0, 0));
-  read_vertex_properties(options.mesh_path, given);
+  read_vertex_properties(options.input.mesh_path, given);
   visit_vertex_properties(given, [&](const std::string& name, const auto& field) {
     typedef typename std::decay_t<decltype(field)>::value_type Number;
     const auto map = surface.add_property_map<Surface::Vertex_index, Number>("v:" + name).first;
@@ -103,20 +103,20 @@ void run_repair(const Repair_command_options& options)
     check_mesh_format(path);
     outputs.emplace_back(path);
   }
-  check_outputs(outputs, input_files(options.mesh_path, ""));
+  check_outputs(outputs, input_files(options.input));
   check_numbers_format(options.map_path);
   Repair_report report;
   const Stopwatch stopwatch;
   std::optional<Progress_bar> progress_bar(std::in_place, "reading");
   Input_findings findings;
-  Polygon_soup soup = read_checked_soup(options.mesh_path, true, "", findings);
+  Polygon_soup soup = read_checked_soup(options.input.mesh_path, true, "", findings);
   if(!soup.tetrahedra.empty())
-    throw Input_error(options.mesh_path, "repair is for faces, and the mesh has tetrahedra");
+    throw Input_error(options.input.mesh_path, "repair is for faces, and the mesh has tetrahedra");
   leave_out_repeated_faces(soup, findings);
-  if(options.are_faces_triangulated)
+  if(options.input.are_faces_triangulated)
   {
     Polygon_soup triangles = soup;
-    triangulate_faces(triangles, options.mesh_path, findings); // which names the face that it cannot cut
+    triangulate_faces(triangles, options.input.mesh_path, findings); // which names the face that it cannot cut
     if(!options.repair.are_opposite_faces_cancelled)
       soup = std::move(triangles);
   }
@@ -128,7 +128,7 @@ void run_repair(const Repair_command_options& options)
   const Stopwatch repair_stopwatch;
   progress_bar.emplace("repair");
   Repair_options repair = options.repair;
-  repair.are_faces_triangulated = options.are_faces_triangulated;
+  repair.are_faces_triangulated = options.input.are_faces_triangulated;
   const Repair_result result = repair_soup(soup, repair);
   report.counts = result.counts;
   Surface surface = unconnected_surface(soup.points, soup.polygons);

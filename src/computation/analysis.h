@@ -13,6 +13,7 @@
 #include "base/surface.h"
 
 #include <cstddef>
+#include <string>
 
 namespace reeb_graph_program {
 // Adds the Euler characteristic and the genus to the other counts.
@@ -27,6 +28,15 @@ void count_all(const Surface& surface, const Graph& graph, Report& report);
 
 // Adds what the report tells of the simplified graph, behind count_all().
 void count_simplified(const Graph& simplified, double threshold, Report& report);
+
+// Counts the cells of the complex, none of whose edges is one of a triangle, and the places where it is no surface.
+Complex_counts count_complex(const Complex& complex);
+
+// Why the complex is no oriented manifold surface, and what helps.
+std::string describe_obstacle(const Complex& complex);
+
+// Takes out of the complex what is a face of its other cells, and what is there before.
+void remove_faces_of_cells(Complex& complex);
 
 } // namespace reeb_graph_program
 

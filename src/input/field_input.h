@@ -13,7 +13,9 @@
 #include "base/report.h"
 #include "base/surface.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace reeb_graph_program {
 // Reads the mesh, and the field if it is a property of its vertices. Throws Input_error, and std::runtime_error if the
@@ -33,6 +35,17 @@ Field_label field_label(const Input_options& options, const std::string& unit);
 // std::runtime_error, and the exceptions of the library.
 Scalar_map add_field(const Input_options& options, Surface& surface, Work_report& report);
 Scalar_map add_field(const Input_options& options, Mesh& mesh, Work_report& report);
+
+// Reads one number per line, whatever the locale, or a column of a CSV file, which is one if its name ends in .csv or
+// if a column is given: by its number, from 0, or by its name in the first line. The column is not needed if there is
+// only one. Lines that begin with # are comments. Throws Input_error unless there are as many numbers as vertices.
+std::vector<double> read_scalars(const std::string& path, const std::string& column, std::size_t number_of_vertices);
+
+// Reads a threshold: a number that is not negative, a percentage, P%, or auto. Throws std::runtime_error.
+Threshold parse_threshold(const std::string& text);
+
+// Reads a length: a number that is not negative, or a percentage of another length, P%. Throws std::runtime_error.
+Threshold parse_size(const std::string& text);
 
 } // namespace reeb_graph_program
 

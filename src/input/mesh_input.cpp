@@ -6,8 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/vertex_properties.h"
-#include "computation/complex_counts.h"
+#include "base/surface.h"
+#include "computation/analysis.h"
 #include "input/assemble_surface.h"
 #include "input/input_error.h"
 #include "input/merge_points.h"

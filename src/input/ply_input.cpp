@@ -6,23 +6,322 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/surface.h"
 #include "base/threads.h"
 #include "input/File_contents.h"
 #include "input/mesh_formats.h"
 #include "input/ply_header.h"
-#include "input/text_blocks.h"
 #include "input/text_input.h"
+#include "input/vtk_numbers.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace reeb_graph_program {
+namespace ply {
+namespace {
+Type read_type(Text_input& input)
+{
+  typedef std::pair<std::string_view, Type> Named_type;
+  static constexpr std::array<Named_type, 16> types = {{{"char", Type::INT8},
+                                                        {"int8", Type::INT8},
+                                                        {"uchar", Type::UINT8},
+                                                        {"uint8", Type::UINT8},
+                                                        {"short", Type::INT16},
+                                                        {"int16", Type::INT16},
+                                                        {"ushort", Type::UINT16},
+                                                        {"uint16", Type::UINT16},
+                                                        {"int", Type::INT32},
+                                                        {"int32", Type::INT32},
+                                                        {"uint", Type::UINT32},
+                                                        {"uint32", Type::UINT32},
+                                                        {"float", Type::FLOAT32},
+                                                        {"float32", Type::FLOAT32},
+                                                        {"double", Type::FLOAT64},
+                                                        {"float64", Type::FLOAT64}}};
+  const std::string_view word = input.word_of_line();
+  const auto type = std::find_if(types.begin(), types.end(), [&](const Named_type& t) { return t.first == word; });
+  if(type == types.end())
+    input.fail(quote(word) + " is not a type of a property");
+  return type->second;
+}
+
+Format read_format(Text_input& input)
+{
+  const std::string format(input.word_of_line());
+  if(format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+    input.fail(quote(format) + " is not a format of a PLY file");
+  return format == "ascii"                ? Format::ASCII
+       : format == "binary_little_endian" ? Format::BINARY_LITTLE_ENDIAN
+                                          : Format::BINARY_BIG_ENDIAN;
+}
+
+Element read_element(Text_input& input)
+{
+  Element element;
+  element.name = input.word_of_line();
+  element.number = input.number<std::size_t>(input.word_of_line());
+  return element;
+}
+
+Property read_property(Text_input& input)
+{
+  Property property;
+  if(input.next_word_of_line() == "list")
+  {
+    input.word_of_line();
+    property.list_size_type = read_type(input);
+    if(!is_integer(property.list_size_type))
+      input.fail("the size of a list is not an integer");
+  }
+  property.type = read_type(input);
+  property.name = input.word_of_line();
+  if(property.name.empty())
+    input.fail("a property has no name");
+  return property;
+}
+
+} // namespace
+
+std::size_t find_scalars(const Text_input& input,
+                         const Header& header,
+                         const Element& vertices,
+                         const std::string& name)
+{
+  const std::size_t place = vertices.find({name});
+  if(place == vertices.properties.size())
+  {
+    Field_names names;
+    for(const Element& element : header.elements)
+      for(const Property& property : element.properties)
+        if((element.is_vertex() || element.is_face()) && !property.is_list())
+          names.add(element.is_face(), property.name, 1);
+    input.fail(names.message(name, "faces"));
+  }
+  if(vertices.properties[place].is_list())
+    input.fail("the property " + quote(name) + " of the vertices is a list, and not a field");
+  return place;
+}
+
+void refuse_geometry(const Text_input& input, const Element& element)
+{
+  const bool has_vertices = element.find({"vertex_index", "vertex1", "v1"}) != element.properties.size();
+  const bool has_list = std::any_of(element.properties.begin(), element.properties.end(), [](const Property& property) {
+    return property.is_list() && is_integer(property.type);
+  });
+  if(element.number > 0 && (has_list || has_vertices))
+    input.fail("the element " + quote(element.name) + (has_list ? " has lists" : " has vertices")
+               + ", and is not read: a mesh is one of the elements vertex, face, tristrips, and edge");
+}
+
+Header read_header(Text_input& input)
+{
+  if(!input.next_line() || input.word_of_line() != "ply")
+    input.fail("the file does not begin as a PLY file");
+  Header header;
+  bool has_format = false;
+  while(input.next_line())
+  {
+    const std::string keyword(input.word_of_line());
+    if(keyword == "end_header" && has_format)
+      return header;
+    if(keyword == "format" && !has_format)
+    {
+      header.format = read_format(input);
+      has_format = true;
+    }
+    else if(keyword == "element")
+      header.elements.push_back(read_element(input));
+    else if(keyword == "property" && !header.elements.empty())
+      header.elements.back().properties.push_back(read_property(input));
+    else if(keyword != "comment" && keyword != "obj_info")
+      input.fail(quote(keyword) + " has no place here in the header of a PLY file");
+  }
+  input.fail("the header does not end");
+}
+
+} // namespace ply
+
+namespace {
+using ply::Data;
+using ply::Element;
+using ply::Property;
+
+template <class Number>
+Vertex_property<Number> add_property(Surface& surface, const std::string& name)
+{
+  return surface.add_property_map<Surface::Vertex_index, Number>("v:" + name).first;
+}
+
+Any_vertex_property add_property(Surface& surface, const Property& property)
+{
+  return ply::call_with_number(property.type, [&](auto number) -> Any_vertex_property {
+    return add_property<decltype(number)>(surface, property.name);
+  });
+}
+
+// Names of what is read otherwise, and those that the surface has for other types, or for its field.
+std::set<std::string> other_names(const Surface& surface)
+{
+  std::set<std::string> names = {"x", "y", "z", "point", "connectivity", "removed", "normal", "color"};
+  if(find_vertex_property<double>(surface, "v:scalar"))
+    names.insert("scalar");
+  return names;
+}
+
+// PLY has no whole numbers of 64 bits. They become those of 32 bits if they fit.
+Any_vertex_property add_property(Surface& surface, const Vertex_field& field)
+{
+  const auto add = [&](auto number) -> Any_vertex_property {
+    const auto map = add_property<decltype(number)>(surface, field.name);
+    for(std::size_t v = 0; v < field.numbers.size(); ++v)
+      map[Surface::Vertex_index(static_cast<Surface::size_type>(v))] = static_cast<decltype(number)>(field.numbers[v]);
+    set_added_vertices(surface, map);
+    return map;
+  };
+  Any_vertex_property property;
+  call_with_vtk_type(field.type, [&](auto number) {
+    if constexpr(std::is_integral_v<decltype(number)> && sizeof number == 8)
+    {
+      const bool do_fit = std::all_of(field.numbers.begin(), field.numbers.end(), [](double n) {
+        return n >= std::numeric_limits<std::int32_t>::min() && n <= std::numeric_limits<std::int32_t>::max();
+      });
+      property = do_fit ? add(std::int32_t()) : add(double());
+    }
+    else
+      property = add(number);
+  });
+  return property;
+}
+
+void read_vertex_properties(const Element& element,
+                            Data& data,
+                            Surface& surface,
+                            std::vector<Any_vertex_property>& result)
+{
+  std::set<std::string> names = other_names(surface);
+  std::vector<std::optional<Any_vertex_property>> maps;
+  for(const Property& property : element.properties)
+  {
+    const bool is_kept = !property.is_list() && names.insert(property.name).second;
+    maps.push_back(is_kept ? std::make_optional(add_property(surface, property)) : std::nullopt);
+  }
+  std::vector<double> numbers;
+  const std::size_t number_of_vertices = number_of_given_vertices(surface);
+  for(std::size_t i = 0; i < number_of_vertices; ++i)
+    for(std::size_t j = 0; j < maps.size(); ++j)
+    {
+      const Surface::Vertex_index v(static_cast<Surface::size_type>(i));
+      data.read(element.properties[j], numbers);
+      const auto store = [&](const auto& map) {
+        map[v] = static_cast<typename std::decay_t<decltype(map)>::value_type>(numbers.front());
+      };
+      if(maps[j])
+        std::visit(store, *maps[j]);
+    }
+  for(const auto& map : maps)
+    if(map)
+    {
+      std::visit([&](const auto& numbers_of_map) { set_added_vertices(surface, numbers_of_map); }, *map);
+      result.push_back(*map);
+    }
+}
+
+} // namespace
+
+std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface)
+{
+  const File_contents file(path);
+  Text_input input(path, file.text());
+  const ply::Header header = ply::read_header(input);
+  Data data(input, header.format);
+  std::vector<Any_vertex_property> properties;
+  for(const Element& element : header.elements)
+  {
+    if(!element.is_vertex())
+    {
+      data.skip(element);
+      continue;
+    }
+    read_vertex_properties(element, data, surface, properties);
+    break;
+  }
+  return properties;
+}
+
+std::vector<Any_vertex_property> read_vertex_properties(const std::string& path, Surface& surface)
+{
+  const std::string extension = lower_case_extension(path);
+  if(extension == ".ply")
+    return read_ply_vertex_properties(path, surface);
+  std::vector<Any_vertex_property> properties;
+  if(extension != ".vtk" && extension != ".vtu" && extension != ".vtp")
+    return properties;
+  std::set<std::string> names = other_names(surface);
+  Field_names unused;
+  for(const Vertex_field& field : read_vtk_fields(path, unused))
+    if(names.insert(field.name).second)
+      properties.push_back(add_property(surface, field));
+  return properties;
+}
+
+std::vector<std::string> parts_not_kept(const std::string& path)
+{
+  const std::string extension = lower_case_extension(path);
+  std::vector<std::string> parts;
+  if(extension != ".obj" && extension != ".off")
+    return parts;
+  const File_contents file(path);
+  Text_input input(path, file.text());
+  const std::string_view first = input.word_of_file();
+  if(extension == ".off") // as in STCNOFF
+    for(const auto& [letters, part] :
+        {std::pair("ST", "textures"), std::pair("C", "colors"), std::pair("N", "normals")})
+      if(first.substr(0, std::min(first.find("OFF"), first.size())).find(letters) != std::string_view::npos)
+        parts.emplace_back(part);
+  std::set<std::string_view> keywords = {first};
+  while(extension == ".obj" && input.next_line())
+    keywords.insert(input.word_of_line());
+  for(const auto& [keyword, part] :
+      {std::pair("vt", "textures"), std::pair("vn", "normals"), std::pair("usemtl", "materials")})
+    if(keywords.count(keyword) != 0)
+      parts.emplace_back(part);
+  return parts;
+}
+
+std::vector<std::string> fields_not_kept(const std::string& path, bool has_room)
+{
+  Field_names names;
+  const std::string extension = lower_case_extension(path);
+  if(extension == ".ply")
+  {
+    const std::set<std::string> others = {"x", "y", "z", "vertex_indices", "vertex_index"};
+    const File_contents file(path);
+    Text_input input(path, file.text());
+    for(const Element& element : ply::read_header(input).elements)
+      for(const Property& property : element.properties)
+        if((element.is_vertex() || element.is_face()) && others.count(property.name) == 0)
+          names.add(element.is_face(), property.name, property.is_list() ? 0 : 1);
+  }
+  else if(extension == ".vtk" || extension == ".vtu" || extension == ".vtp")
+    read_vtk_fields(path, names);
+  std::vector<std::string> result = has_room ? names.others_of_vertices : names.of_vertices;
+  for(const std::string& name : names.of_cells)
+    result.push_back(name + " of faces");
+  return result;
+}
+
 namespace {
 using ply::Data;
 using ply::Element;

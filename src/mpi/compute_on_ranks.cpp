@@ -6,9 +6,8 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "mpi/ranks.h"
-
 #include "base/costs.h"
+#include "base/message_of.h"
 #include "base/progress_bar.h"
 #include "base/report.h"
 #include "computation/Report_visitor.h"
@@ -16,21 +15,25 @@
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "mpi/local_input.h"
+#include "mpi/ranks.h"
 #include "output/graph_output.h"
 #include "output/output_file.h"
-#include "output/pairs_output.h"
 #include "output/report_output.h"
 
 #include <CGAL/Reeb_graph/distributed/compute_reeb_graph_distributed.h>
+#include <CGAL/Reeb_graph/distributed/internal/exchange.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 #include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 
 #include <boost/mpi/collectives.hpp>
+#include <boost/mpi/exception.hpp>
 #include <boost/range/irange.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
+
+#include <mpi.h>
 
 #include <unistd.h>
 
@@ -38,6 +41,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -51,6 +55,46 @@
 #include <vector>
 
 namespace reeb_graph_program {
+void run_together(const Communicator& communicator, const std::function<void()>& work)
+{
+  std::string message;
+  int failed_rank = communicator.size(); // none
+  try
+  {
+    work();
+  }
+  catch(const std::exception& error)
+  {
+    message = message_of(error);
+    failed_rank = communicator.rank();
+  }
+  int first = 0;
+  MPI_Request request = MPI_REQUEST_NULL;
+  BOOST_MPI_CHECK_RESULT(MPI_Iallreduce, (&failed_rank, &first, 1, MPI_INT, MPI_MIN, communicator, &request));
+  CGAL::Reeb_graph::internal::wait_for(request);
+  if(first == communicator.size())
+    return;
+  boost::mpi::broadcast(communicator, message, first);
+  throw std::runtime_error(message);
+}
+
+void run_on_rank_0(const Communicator& communicator, const std::function<void()>& work)
+{
+  run_together(communicator, [&] {
+    if(communicator.rank() == 0)
+      work();
+  });
+}
+
+Part part_of_rank(const Communicator& communicator, std::uint64_t number)
+{
+  const auto size = static_cast<std::uint64_t>(communicator.size());
+  const auto rank = static_cast<std::uint64_t>(communicator.rank());
+  const std::uint64_t each = number / size, more = number % size;
+  const auto first = [&](std::uint64_t r) { return r * each + std::min(r, more); };
+  return {first(rank), first(rank + 1)};
+}
+
 // The seconds of CPU that the process has spent.
 inline double cpu_seconds_of_process()
 {
@@ -149,19 +193,13 @@ void check_left_out(const Compute_options& options)
     refuse("--threads", "each rank works with one thread; more ranks do more at a time");
 }
 
-bool is_graph_in_space(const Compute_options& options)
-{
-  return !options.graph_path.empty() && is_format_in_space(options.graph_path);
-}
-
 void check_on_ranks(const Compute_options& options)
 {
   if(is_standard_input(options.input.mesh_path) || is_standard_input(options.input.scalars_path))
     refuse("standard input", "each rank reads its part of a file");
   check_left_out(options);
-  if(!options.graph_path.empty())
-    check_graph_format(options.graph_path);
-  if(is_graph_in_space(options))
+  check_graph_format(options.graph_path);
+  if(is_format_in_space(options.graph_path))
   {
     if(has_arc_attributes(options.graph_path))
       refuse(options.graph_path, "the format has lengths and areas of arcs; .graphml, .dot, .svg, .obj, and "
@@ -171,10 +209,8 @@ void check_on_ranks(const Compute_options& options)
   }
   else if(options.embedding_manner)
     throw std::runtime_error("--embedding straight goes with --graph and .obj or .polylines.txt only");
-  if(!options.pairs_path.empty())
-    check_pairs_format(options.pairs_path);
-  if(!options.diagram_path.empty())
-    check_diagram_format(options.diagram_path);
+  check_pairs_format(options.pairs_path);
+  check_diagram_format(options.diagram_path);
   check_outputs(output_files(options), input_files(options.input));
   check_simplification_options(options.simplification);
 }
@@ -297,7 +333,7 @@ void write_results(const Compute_options& options,
                    Report& report)
 {
   Graph_of_nodes given;
-  put_on_nodes(graph, mesh, is_graph_in_space(options), given);
+  put_on_nodes(graph, mesh, is_format_in_space(options.graph_path), given);
   count_surface(mesh, slab, given.graph, report);
   const Stopwatch simplify_stopwatch;
   const Simplified_graph simplified(given.graph, options.simplification, asked_threshold);
@@ -312,7 +348,7 @@ void write_results(const Compute_options& options,
   if(options.graph_path.empty())
     return;
   const Stopwatch stopwatch;
-  if(is_graph_in_space(options))
+  if(is_format_in_space(options.graph_path))
   {
     const Embedding embedding = embed_straight(simplified.result(), given.surface);
     report.embedding_manner = embedding.manner;
@@ -360,7 +396,7 @@ void run_compute_on_ranks(const Communicator& communicator, const Compute_option
   Rank_report rank;
   Step read("read", report, rank);
   const Local_mesh mesh = read_local_mesh(communicator, options.input);
-  if(is_graph_in_space(options) && !mesh.point)
+  if(is_format_in_space(options.graph_path) && !mesh.point)
     refuse(options.graph_path, "a raw file has no points");
   const double threshold = threshold_in_units(options.simplification, [&] { return find_range(communicator, mesh); });
   read.end();

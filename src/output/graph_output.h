@@ -12,11 +12,13 @@
 #include "base/options.h"
 #include "base/surface.h"
 #include "computation/Mesh_graph.h"
+#include "computation/simplification.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +61,27 @@ void note_lost_unit(const std::string& unit, bool is_shown, std::vector<std::str
 void write_vertex_arcs(const std::filesystem::path& path,
                        const std::vector<std::size_t>& places,
                        std::size_t number_of_nodes);
+
+// Throws an exception unless the file name ends in .csv or .pers.
+void check_pairs_format(const std::filesystem::path& path);
+
+// Writes the pairs of a graph, one per line: .csv with kind, vertices, and values; .pers for GUDHI, with dimension,
+// birth, and death as its extended persistence has them. Vertices are numbered as in the surface if no numbers are
+// given. Throws std::runtime_error if the file cannot be written.
+void write_pairs(const std::filesystem::path& path,
+                 const Graph& graph,
+                 const std::vector<Persistence_pair>& pairs,
+                 const Vertex_numbers& vertex_numbers = {});
+
+// Throws an exception unless the file name ends in .svg.
+void check_diagram_format(const std::filesystem::path& path);
+
+// Draws the persistence diagram: each pair of finite values is a point, as far above the diagonal as it is persistent,
+// and what is below the threshold is in a shaded band. Throws std::runtime_error if the file cannot be written.
+void write_diagram(const std::filesystem::path& path,
+                   const Graph& graph,
+                   const std::vector<Persistence_pair>& pairs,
+                   std::optional<double> threshold);
 
 } // namespace reeb_graph_program
 

@@ -8,7 +8,7 @@
 
 #include "output/mesh_output.h"
 
-#include "base/vertex_properties.h"
+#include "base/surface.h"
 #include "input/mesh_formats.h"
 #include "output/output_file.h"
 

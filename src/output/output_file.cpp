@@ -331,7 +331,7 @@ std::string ending_of(const fs::path& path, const std::string& contents, const s
     const bool is_last = &ending == &endings.back();
     names += (names.empty() ? "" : !is_last ? ", " : endings.size() == 2 ? " or " : ", or ") + ending;
   }
-  if(is_written_at_once(path))
+  if(path.empty() || is_written_at_once(path))
     return endings.front();
   throw std::runtime_error(path.string() + ": the file name of " + contents + " ends in " + names);
 }

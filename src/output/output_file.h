@@ -30,8 +30,8 @@ struct Output_error : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-// Which of the endings, of which the first one stands for a pipe, a device, or standard output without any of them, the
-// file name has. Throws std::runtime_error, which names them and what they are the endings of.
+// Which of the endings, of which the first one stands for a pipe, a device, or standard output without any of them, and
+// for no file, the file name has. Throws std::runtime_error, which names them and what they are the endings of.
 std::string ending_of(const std::filesystem::path& path,
                       const std::string& contents,
                       const std::vector<std::string>& endings);

@@ -9,7 +9,7 @@
 #include "input/File_contents.h"
 #include "input/assemble_surface.h"
 #include "input/mesh_formats.h"
-#include "input/text_blocks.h"
+#include "input/text_input.h"
 #include "random_meshes.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>

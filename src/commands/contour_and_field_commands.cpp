@@ -6,6 +6,7 @@
 //
 // Author(s)     : The Reeb_graph authors
 
+#include "base/costs.h"
 #include "base/surface.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
@@ -13,6 +14,7 @@
 #include "input/field_input.h"
 #include "input/input_error.h"
 #include "input/limits_of_kinds.h"
+#include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/polylines_output.h"
 #include "output/report_output.h"
@@ -79,6 +81,25 @@ void run_contour(const Contour_options& options)
   note_empty_levels(choice.levels, contours, report);
   report.contours = contours.size();
   write_report(options.is_report_json, outputs, report);
+}
+
+void run_field(const Command_options& options)
+{
+  const std::vector<std::filesystem::path> outputs(options.output_paths.begin(), options.output_paths.end());
+  check_outputs(outputs, input_files(options.input));
+  for(const std::string& path : options.output_paths)
+    check_numbers_format(path);
+  Work_report report;
+  Mesh mesh = read_mesh(options.input, report);
+  const Scalar_map scalar_map = add_field(options.input, mesh, report);
+  const Stopwatch stopwatch;
+  Output_group files;
+  for(const std::string& path : options.output_paths)
+    write_scalars(path, mesh.surface, scalar_map);
+  files.put_in_place();
+  report.add_seconds("output", stopwatch.seconds());
+  const Field_range range(scalar_map.begin(), scalar_map.end());
+  write_report(options.is_report_json, outputs, range, report);
 }
 
 } // namespace reeb_graph_program
