@@ -16,7 +16,6 @@
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
-#include "input/limits_of_kinds.h"
 #include "output/graph_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"

@@ -13,7 +13,6 @@
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
-#include "input/limits_of_kinds.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
 #include "output/polylines_output.h"

@@ -15,7 +15,6 @@
 #include "computation/scalar_fields.h"
 #include "input/File_contents.h"
 #include "input/input_error.h"
-#include "input/limits_of_kinds.h"
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
 

@@ -20,7 +20,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <map>
 #include <set>
@@ -46,29 +45,19 @@ enum Cell_type : std::size_t
   TETRA = 10
 };
 
-struct Corner_counts
-{
-  std::size_t least, most;
-};
-
-Corner_counts corner_counts(std::size_t type)
-{
-  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
-  switch(type)
-  {
-  case VERTEX: return {1, 1};
-  case POLY_VERTEX: return {0, any};
-  case LINE: return {2, 2};
-  case POLY_LINE: return {0, any};
-  case TRIANGLE: return {3, 3};
-  case TRIANGLE_STRIP:
-  case POLYGON: return {0, any};
-  case PIXEL:
-  case QUAD:
-  case TETRA: return {4, 4};
-  default: return {0, 0};
-  }
-}
+// The least and the largest number of corners of each type.
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
+constexpr std::array<std::pair<std::size_t, std::size_t>, TETRA + 1> corner_counts = {{{0, 0},
+                                                                                       {1, 1},
+                                                                                       {0, any_number},
+                                                                                       {2, 2},
+                                                                                       {0, any_number},
+                                                                                       {3, 3},
+                                                                                       {0, any_number},
+                                                                                       {0, any_number},
+                                                                                       {4, 4},
+                                                                                       {4, 4},
+                                                                                       {4, 4}}};
 
 // Types that files often have.
 std::string name_of_type(std::size_t type)
@@ -90,22 +79,15 @@ std::string name_of_type(std::size_t type)
   return std::to_string(type) + (found == names.end() ? "" : " (" + found->second + ")");
 }
 
-void add_polygon(std::initializer_list<Corner> vertices, Polygons& polygons)
-{
-  for(const Corner v : vertices)
-    polygons.add_corner(v);
-  polygons.end_polygon();
-}
-
 void add_cell(const std::string& path,
               std::size_t type,
               Polygons::Polygon vertices,
               std::size_t first_vertex,
               Polygon_soup& soup)
 {
-  const Corner_counts counts = corner_counts(type);
+  const auto [least, most] = corner_counts.at(type); // types have been checked
   const auto size = static_cast<std::size_t>(vertices.end() - vertices.begin());
-  if(size < counts.least || size > counts.most)
+  if(size < least || size > most)
     throw Input_error(path, "a cell of type " + std::to_string(type) + " of VTK cannot have " + std::to_string(size)
                               + " vertices");
   const auto v = [&](std::size_t i) { return corner(first_vertex + vertices.begin()[i]); };
@@ -119,7 +101,7 @@ void add_cell(const std::string& path,
     break;
   case TRIANGLE_STRIP:
     for(std::size_t i = 2; i < size; ++i)
-      add_polygon({v(i - 2 + i % 2), v(i - 1 - i % 2), v(i)}, soup.polygons);
+      soup.polygons.add(std::array<Corner, 3>{v(i - 2 + i % 2), v(i - 1 - i % 2), v(i)});
     if(size > 2)
       break;
     [[fallthrough]]; // fewer corners are a face that is left out
@@ -130,7 +112,7 @@ void add_cell(const std::string& path,
       soup.polygons.add_corner(v(i));
     soup.polygons.end_polygon();
     break;
-  case PIXEL: add_polygon({v(0), v(1), v(3), v(2)}, soup.polygons); break;
+  case PIXEL: soup.polygons.add(std::array<Corner, 4>{v(0), v(1), v(3), v(2)}); break;
   case TETRA: soup.tetrahedra.push_back({v(0), v(1), v(2), v(3)}); break;
   default: break;
   }

@@ -118,34 +118,6 @@ struct Vtk_xml_array
   std::string_view text;
 };
 
-// Reads the numbers of arrays: as text, in base64 code, or raw, each of which may be behind all elements, and the last
-// two compressed by zlib.
-class Vtk_xml_arrays
-{
-public:
-  Vtk_xml_arrays(const std::string& path, std::string_view file) : path_(path), file_(file) {}
-
-  // Takes the order of bytes, and whether they are compressed. Throws Input_error if not by zlib.
-  void read_file_tag(const Xml_tag& tag);
-  // Finds the data behind all elements.
-  void read_appended_tag(const Xml_tag& tag);
-
-  // All numbers of an array. `name` is for messages.
-  std::vector<double> numbers(const std::string& name, const Vtk_xml_array& array) const;
-  std::vector<std::size_t> indices(const std::string& name, const Vtk_xml_array& array) const;
-
-private:
-  template <class Number>
-  std::vector<Number> read(const std::string& name, const Vtk_xml_array& array) const;
-  template <class Number>
-  std::vector<Number> read_text(std::string_view text) const;
-
-  std::string path_;
-  std::string_view file_, appended_;
-  bool are_bytes_swapped_ = false, are_numbers_compressed_ = false, is_appended_raw_ = false;
-  std::size_t size_of_header_number_ = 4;
-};
-
 constexpr unsigned char no_digit = 64;
 
 std::array<unsigned char, 256> values_of_base64_digits()
@@ -291,71 +263,88 @@ private:
   std::size_t size_of_number_ = 4;
 };
 
-void Vtk_xml_arrays::read_file_tag(const Xml_tag& tag)
+// Reads the numbers of arrays: as text, in base64 code, or raw, each of which may be behind all elements, and the last
+// two compressed by zlib.
+class Vtk_xml_arrays
 {
-  const std::string compressor = tag.attribute("compressor");
-  if(!compressor.empty() && compressor != "vtkZLibDataCompressor")
-    throw Input_error(path_, "data compressed by " + quote(compressor) + " are not read, but by vtkZLibDataCompressor: "
-                               + (compressor == "vtkLZMADataCompressor" ? "'meshio decompress FILE', or " : "")
-                               + "ParaView with the compressor ZLib or None, saves such a file");
-  are_numbers_compressed_ = !compressor.empty();
-  are_bytes_swapped_ = (tag.attribute("byte_order", "LittleEndian") == "BigEndian") != is_machine_big_endian();
-  size_of_header_number_ = tag.attribute("header_type", "UInt32") == "UInt64" ? 8 : 4;
-}
+public:
+  Vtk_xml_arrays(const std::string& path, std::string_view file) : path_(path), file_(file) {}
 
-void Vtk_xml_arrays::read_appended_tag(const Xml_tag& tag)
-{
-  is_appended_raw_ = tag.attribute("encoding") != "base64";
-  const std::size_t begin = file_.find('_', tag.end);
-  if(begin == std::string_view::npos)
-    throw Input_error(path_, "the appended data do not begin with _");
-  appended_ = file_.substr(begin + 1);
-}
+  // Takes the order of bytes, and whether they are compressed. Throws Input_error if not by zlib.
+  void read_file_tag(const Xml_tag& tag)
+  {
+    const std::string compressor = tag.attribute("compressor");
+    if(!compressor.empty() && compressor != "vtkZLibDataCompressor")
+      throw Input_error(path_, "data compressed by " + quote(compressor)
+                                 + " are not read, but by vtkZLibDataCompressor: "
+                                 + (compressor == "vtkLZMADataCompressor" ? "'meshio decompress FILE', or " : "")
+                                 + "ParaView with the compressor ZLib or None, saves such a file");
+    are_numbers_compressed_ = !compressor.empty();
+    are_bytes_swapped_ = (tag.attribute("byte_order", "LittleEndian") == "BigEndian") != is_machine_big_endian();
+    size_of_header_number_ = tag.attribute("header_type", "UInt32") == "UInt64" ? 8 : 4;
+  }
 
-std::vector<double> Vtk_xml_arrays::numbers(const std::string& name, const Vtk_xml_array& array) const
-{
-  return read<double>(name, array);
-}
+  // Finds the data behind all elements.
+  void read_appended_tag(const Xml_tag& tag)
+  {
+    is_appended_raw_ = tag.attribute("encoding") != "base64";
+    const std::size_t begin = file_.find('_', tag.end);
+    if(begin == std::string_view::npos)
+      throw Input_error(path_, "the appended data do not begin with _");
+    appended_ = file_.substr(begin + 1);
+  }
 
-std::vector<std::size_t> Vtk_xml_arrays::indices(const std::string& name, const Vtk_xml_array& array) const
-{
-  return read<std::size_t>(name, array);
-}
+  // All numbers of an array. `name` is for messages.
+  std::vector<double> numbers(const std::string& name, const Vtk_xml_array& array) const
+  {
+    return read<double>(name, array);
+  }
+  std::vector<std::size_t> indices(const std::string& name, const Vtk_xml_array& array) const
+  {
+    return read<std::size_t>(name, array);
+  }
 
-template <class Number>
-std::vector<Number> Vtk_xml_arrays::read(const std::string& name, const Vtk_xml_array& array) const
-{
-  const std::string format = array.tag.attribute("format", "ascii");
-  if(format == "ascii")
-    return read_text<Number>(array.text);
-  if(format != "binary" && format != "appended")
-    throw Input_error(path_, "the array of " + name + " has a format that is not read");
-  const bool is_appended = format == "appended";
-  std::size_t offset = 0;
-  if(is_appended && (parse_number(array.tag.attribute("offset"), offset) != std::errc() || offset > appended_.size()))
-    throw Input_error(path_, "the array of " + name + " begins behind the end of the file");
-  Vtk_xml_bytes source(path_, name, is_appended ? appended_.substr(offset) : array.text,
-                       !is_appended || !is_appended_raw_);
-  const std::string_view bytes = are_numbers_compressed_
-                                 ? source.read_compressed(size_of_header_number_, are_bytes_swapped_)
-                                 : source.read(size_of_header_number_, are_bytes_swapped_);
-  std::vector<Number> result;
-  if(!call_with_vtk_type(array.tag.attribute("type"), [&](auto number) {
-       result = decode_vtk_numbers<Number, decltype(number)>(bytes, are_bytes_swapped_);
-     }))
-    throw Input_error(path_, "the array of " + name + " has numbers of a type that is not read");
-  return result;
-}
+private:
+  template <class Number>
+  std::vector<Number> read(const std::string& name, const Vtk_xml_array& array) const
+  {
+    const std::string format = array.tag.attribute("format", "ascii");
+    if(format == "ascii")
+      return read_text<Number>(array.text);
+    if(format != "binary" && format != "appended")
+      throw Input_error(path_, "the array of " + name + " has a format that is not read");
+    const bool is_appended = format == "appended";
+    std::size_t offset = 0;
+    if(is_appended && (parse_number(array.tag.attribute("offset"), offset) != std::errc() || offset > appended_.size()))
+      throw Input_error(path_, "the array of " + name + " begins behind the end of the file");
+    Vtk_xml_bytes source(path_, name, is_appended ? appended_.substr(offset) : array.text,
+                         !is_appended || !is_appended_raw_);
+    const std::string_view bytes = are_numbers_compressed_
+                                   ? source.read_compressed(size_of_header_number_, are_bytes_swapped_)
+                                   : source.read(size_of_header_number_, are_bytes_swapped_);
+    std::vector<Number> result;
+    if(!call_with_vtk_type(array.tag.attribute("type"), [&](auto number) {
+         result = decode_vtk_numbers<Number, decltype(number)>(bytes, are_bytes_swapped_);
+       }))
+      throw Input_error(path_, "the array of " + name + " has numbers of a type that is not read");
+    return result;
+  }
 
-template <class Number>
-std::vector<Number> Vtk_xml_arrays::read_text(std::string_view text) const
-{
-  std::vector<Number> result;
-  Text_input input(path_, text, static_cast<std::size_t>(std::count(file_.data(), text.data(), '\n')));
-  for(std::string_view word = input.word_of_file(); !word.empty(); word = input.word_of_file())
-    result.push_back(input.number<Number>(word));
-  return result;
-}
+  template <class Number>
+  std::vector<Number> read_text(std::string_view text) const
+  {
+    std::vector<Number> result;
+    Text_input input(path_, text, static_cast<std::size_t>(std::count(file_.data(), text.data(), '\n')));
+    for(std::string_view word = input.word_of_file(); !word.empty(); word = input.word_of_file())
+      result.push_back(input.number<Number>(word));
+    return result;
+  }
+
+  std::string path_;
+  std::string_view file_, appended_;
+  bool are_bytes_swapped_ = false, are_numbers_compressed_ = false, is_appended_raw_ = false;
+  std::size_t size_of_header_number_ = 4;
+};
 
 // The elements of a piece of the grid.
 struct Vtk_xml_piece

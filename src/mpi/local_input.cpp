@@ -40,28 +40,6 @@
 
 namespace reeb_graph_program {
 namespace {
-// A file of which each rank reads parts of its own by MPI-IO. Opening and closing it is no collective work: a
-// rank that fails leaves no other one waiting.
-class Shared_file
-{
-public:
-  // Throws Input_error.
-  explicit Shared_file(const std::string& path);
-  Shared_file(const Shared_file&) = delete;
-  Shared_file& operator=(const Shared_file&) = delete;
-  ~Shared_file();
-
-  std::uint64_t size() const { return size_; }
-
-  // The bytes have to be in the file.
-  void read(std::uint64_t offset, char* bytes, std::size_t number_of_bytes) const;
-
-private:
-  std::string path_;
-  MPI_File file_ = MPI_FILE_NULL;
-  std::uint64_t size_ = 0;
-};
-
 constexpr std::size_t most_bytes_at_once = std::size_t(1) << 28;
 
 int number_of_bytes_done(MPI_Status& status)
@@ -71,35 +49,52 @@ int number_of_bytes_done(MPI_Status& status)
   return number;
 }
 
-Shared_file::Shared_file(const std::string& path) : path_(path)
+// A file of which each rank reads parts of its own by MPI-IO. Opening and closing it is no collective work: a
+// rank that fails leaves no other one waiting.
+class Shared_file
 {
-  if(!std::filesystem::is_regular_file(path)
-     || MPI_File_open(MPI_COMM_SELF, path.c_str(), MPI_MODE_RDONLY, MPI_INFO_NULL, &file_) != MPI_SUCCESS)
-    throw Input_error(path_, "the file cannot be read");
-  MPI_Offset size = 0;
-  MPI_File_get_size(file_, &size);
-  size_ = static_cast<std::uint64_t>(size);
-}
-
-Shared_file::~Shared_file()
-{
-  if(file_ != MPI_FILE_NULL)
-    MPI_File_close(&file_);
-}
-
-void Shared_file::read(std::uint64_t offset, char* bytes, std::size_t number_of_bytes) const
-{
-  for(std::size_t begin = 0; begin < number_of_bytes;)
+public:
+  // Throws Input_error.
+  explicit Shared_file(const std::string& path) : path_(path)
   {
-    const int number = static_cast<int>(std::min(number_of_bytes - begin, most_bytes_at_once));
-    MPI_Status status;
-    const int error = MPI_File_read_at(file_, static_cast<MPI_Offset>(offset) + static_cast<MPI_Offset>(begin),
-                                       bytes + begin, number, MPI_BYTE, &status);
-    if(error != MPI_SUCCESS || number_of_bytes_done(status) != number)
+    if(!std::filesystem::is_regular_file(path)
+       || MPI_File_open(MPI_COMM_SELF, path.c_str(), MPI_MODE_RDONLY, MPI_INFO_NULL, &file_) != MPI_SUCCESS)
       throw Input_error(path_, "the file cannot be read");
-    begin += static_cast<std::size_t>(number);
+    MPI_Offset size = 0;
+    MPI_File_get_size(file_, &size);
+    size_ = static_cast<std::uint64_t>(size);
   }
-}
+
+  Shared_file(const Shared_file&) = delete;
+  Shared_file& operator=(const Shared_file&) = delete;
+  ~Shared_file()
+  {
+    if(file_ != MPI_FILE_NULL)
+      MPI_File_close(&file_);
+  }
+
+  std::uint64_t size() const { return size_; }
+
+  // The bytes have to be in the file.
+  void read(std::uint64_t offset, char* bytes, std::size_t number_of_bytes) const
+  {
+    for(std::size_t begin = 0; begin < number_of_bytes;)
+    {
+      const int number = static_cast<int>(std::min(number_of_bytes - begin, most_bytes_at_once));
+      MPI_Status status;
+      const int error = MPI_File_read_at(file_, static_cast<MPI_Offset>(offset) + static_cast<MPI_Offset>(begin),
+                                         bytes + begin, number, MPI_BYTE, &status);
+      if(error != MPI_SUCCESS || number_of_bytes_done(status) != number)
+        throw Input_error(path_, "the file cannot be read");
+      begin += static_cast<std::size_t>(number);
+    }
+  }
+
+private:
+  std::string path_;
+  MPI_File file_ = MPI_FILE_NULL;
+  std::uint64_t size_ = 0;
+};
 
 // Where the field of a PLY file is: a function of the points or, if there is none, a property of the vertices.
 struct Ply_field
