@@ -25,7 +25,9 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -234,6 +236,55 @@ void add_repair_command(CLI::App& app, Repair_command_options& options)
   command->callback([&options] { run_with_threads(0, [&options] { run_repair(options); }); });
 }
 
+Skeleton_place parse_place(const std::string& option, const std::string& text)
+{
+  if(text == "thickest")
+    return {Skeleton_place::THICKEST};
+  if(text == "tips")
+    return {Skeleton_place::TIPS};
+  if(text.find(',') == std::string::npos)
+    return {Skeleton_place::VERTEX, parse_whole_number(option, text, {})};
+  std::vector<double> numbers;
+  std::istringstream words(text + ',');
+  for(std::string word; std::getline(words, word, ',');)
+    numbers.push_back(parse_real_number(option, word));
+  if(numbers.size() != 3)
+    throw CLI::ValidationError(option, quote(text) + " is neither a vertex nor a point X,Y,Z");
+  return {Skeleton_place::POINT, 0, Point(numbers[0], numbers[1], numbers[2])};
+}
+
+void add_skeleton_places(CLI::App& command, Skeleton_command_options& options)
+{
+  for(const auto& [name, places, description] :
+      {std::make_tuple("--from", &options.from,
+                       "Write the shortest paths along the skeleton from here, in place of the arcs: a vertex of the "
+                       "mesh by its number, a point X,Y,Z, thickest, or tips; can be repeated; by default thickest"),
+       std::make_tuple("--to", &options.to, "Where these paths lead, given as --from; by default tips")})
+  {
+    const auto add = [name = std::string(name), places = places](const std::vector<std::string>& texts) {
+      for(const std::string& text : texts)
+        places->push_back(parse_place(name, text));
+    };
+    command.add_option_function<std::vector<std::string>>(name, add, description)
+      ->type_name("PLACE")
+      ->allow_extra_args(false);
+  }
+  const auto set_root = [&options](const std::string& text) {
+    options.settings.root = text == "tip" ? Skeleton_place() : parse_place("--root", text);
+    if(text == "tips" || options.settings.root->kind == Skeleton_place::POINT)
+      throw CLI::ValidationError("--root", quote(text) + " is none of tip, thickest, and a vertex");
+  };
+  command
+    .add_option_function<std::string>(
+      "--root", set_root,
+      "The roots of SWC's trees: a tip of each, the thickest point, which has type 1 in the largest tree, or, of one "
+      "tree, that of a vertex of the mesh")
+    ->type_name("tip|thickest|VERTEX");
+  add_choice(command, "--radius", options.are_radii_inscribed, Choices<bool>{{"area", false}, {"inscribed", true}},
+             "The radii of SWC: those of circles with the area of contours (area, the default), or the distance from "
+             "the surface (inscribed)");
+}
+
 void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
 {
   CLI::App* command = app.add_subcommand("skeleton", "Extract lines inside, with radii, and a loop for each handle");
@@ -252,6 +303,7 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
   command->add_flag_callback(
     "--fill-borders", [&options] { options.settings.are_borders_ends = false; },
     "Treat borders as if they were filled, so that they are not ends, as for a scan with holes");
+  add_skeleton_places(*command, options);
   begin_group(*command, "Output");
   add_output_files(*command, options.output_paths,
                    "Write the skeleton to these files, .swc (trees, in which each loop is cut once), .vtp, "

@@ -28,12 +28,16 @@ namespace reeb_graph_program {
 namespace {
 bool has_field(const Input_options& input) { return !input.field.empty() || !input.scalars_path.empty(); }
 
+bool are_paths_wanted(const Skeleton_command_options& options) { return !options.from.empty() || !options.to.empty(); }
+
 std::vector<std::filesystem::path> check_options(const Skeleton_command_options& options)
 {
   std::vector<std::filesystem::path> outputs;
   for(const std::string& path : options.output_paths)
   {
     check_skeleton_format(path);
+    if(are_paths_wanted(options))
+      check_path_format(path);
     outputs.emplace_back(path);
   }
   check_page(options.page_path, options.up);
@@ -71,12 +75,20 @@ void run_skeleton(const Skeleton_command_options& options)
   report.field = has_field(options.input) ? field_label(input, "").name : "distance from a tip";
   const Stopwatch stopwatch;
   report.skeleton = extract_skeleton(surface, scalar_map, options.settings);
+  if(are_paths_wanted(options))
+  {
+    const std::vector<Skeleton_place> thickest = {{Skeleton_place::THICKEST}}, tips = {{Skeleton_place::TIPS}};
+    report.skeleton.paths = paths_between(report.skeleton, options.from.empty() ? thickest : options.from,
+                                          options.to.empty() ? tips : options.to);
+    if(report.skeleton.paths.empty())
+      throw std::runtime_error("no path leads along the skeleton from one of these places to another one");
+  }
   report.add_seconds("skeleton", stopwatch.seconds());
   const Stopwatch output_stopwatch;
   Output_group files;
   for(const std::string& path : options.output_paths)
   {
-    write_skeleton(path, report.skeleton);
+    write_skeleton(path, report.skeleton, options.are_radii_inscribed);
     note_lost_parts(path, report.skeleton, report.notes);
   }
   if(!options.mesh_path.empty())

@@ -13,6 +13,7 @@
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 #include <CGAL/Reeb_graph/skeleton/find_branch_faces.h>
+#include <CGAL/Reeb_graph/skeleton/skeleton_paths.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -21,6 +22,8 @@
 #include <cstddef>
 #include <functional>
 #include <queue>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -56,12 +59,74 @@ std::vector<std::size_t> spread(const std::vector<std::vector<Way>>& ways,
 
 } // namespace
 
-void complete(Skeleton& skeleton)
+std::vector<std::size_t> points_at(const Skeleton& skeleton, const Skeleton_place& place)
+{
+  const auto& graph = skeleton.graph;
+  std::vector<std::size_t> points;
+  for(const auto v : CGAL::make_range(vertices(graph)))
+    if(place.kind != Skeleton_place::TIPS || out_degree(v, graph) == 1)
+      points.push_back(v);
+  if(place.kind == Skeleton_place::TIPS || points.empty())
+    return points;
+  if(place.kind == Skeleton_place::VERTEX)
+  {
+    const auto& map = skeleton.vertex_map;
+    if(place.vertex >= map.size() || map[place.vertex] == Skeleton::none)
+      throw std::runtime_error("the surface has no vertex " + std::to_string(place.vertex)
+                               + (place.vertex < map.size() ? " with faces" : ""));
+    return {map[place.vertex]};
+  }
+  const auto rank = [&](std::size_t v) {
+    return place.kind == Skeleton_place::THICKEST
+           ? -graph[v].inscribed_radius
+           : CGAL::Reeb_graph::internal::distance_between(graph[v].point, place.point);
+  };
+  std::stable_sort(points.begin(), points.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return points;
+}
+
+std::vector<std::vector<std::size_t>> paths_between(const Skeleton& skeleton,
+                                                    const std::vector<Skeleton_place>& from,
+                                                    const std::vector<Skeleton_place>& to)
+{
+  const auto points = [&](const std::vector<Skeleton_place>& places) {
+    std::vector<std::size_t> result;
+    for(const Skeleton_place& place : places)
+    {
+      const std::vector<std::size_t> found = points_at(skeleton, place);
+      const auto end = place.kind == Skeleton_place::TIPS || found.empty() ? found.end() : found.begin() + 1;
+      result.insert(result.end(), found.begin(), end);
+    }
+    return result;
+  };
+  const std::vector<std::size_t> last = points(to);
+  std::vector<std::vector<std::size_t>> paths;
+  for(const std::size_t first : points(from))
+    for(std::vector<std::size_t>& path : CGAL::Reeb_graph::skeleton_paths(skeleton.graph, first, last))
+      if(path.size() > 1)
+        paths.push_back(std::move(path));
+  return paths;
+}
+
+void complete(Skeleton& skeleton, const std::optional<Skeleton_place>& root)
 {
   CGAL::Reeb_graph::mark_junctions(skeleton.graph);
   skeleton.arcs = CGAL::Reeb_graph::skeleton_arcs(skeleton.graph);
-  skeleton.trees = CGAL::Reeb_graph::skeleton_trees(skeleton.graph);
+  skeleton.trees =
+    CGAL::Reeb_graph::skeleton_trees(skeleton.graph, root ? points_at(skeleton, *root) : std::vector<std::size_t>());
   skeleton.branches = CGAL::Reeb_graph::measure_branches(skeleton.graph, skeleton.trees);
+  if(!root || root->kind != Skeleton_place::THICKEST)
+    return;
+  std::vector<double> lengths;
+  for(const auto& branch : skeleton.branches)
+  {
+    lengths.resize((std::max)(lengths.size(), branch.component + 1), 0);
+    lengths[branch.component] += branch.length;
+  }
+  std::ptrdiff_t tree = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();
+  for(std::size_t i = 0; i != skeleton.trees.size(); ++i)
+    if(skeleton.trees[i].parent == Skeleton::none && tree-- == 0)
+      skeleton.soma = i;
 }
 
 Skeleton extract_skeleton(const Surface& surface,
@@ -82,7 +147,7 @@ Skeleton extract_skeleton(const Surface& surface,
   for(const auto v : CGAL::make_range(vertices(graph)))
     for(const Surface::Vertex_index of_surface : graph[v].vertices)
       skeleton.vertex_map[of_surface] = v;
-  complete(skeleton);
+  complete(skeleton, settings.root);
   skeleton.face_arcs.resize(surface.num_faces());
   skeleton.are_faces_in_junctions.resize(surface.num_faces());
   const auto face_index_map = get(CGAL::face_index, surface);
@@ -151,10 +216,10 @@ std::vector<double> distances_along_lines(const Skeleton& skeleton)
 std::vector<Polyline> polylines_of(const Skeleton& skeleton)
 {
   std::vector<Polyline> polylines;
-  for(const auto& arc : skeleton.arcs)
+  for(const auto& line : skeleton.paths.empty() ? skeleton.arcs : skeleton.paths)
   {
     polylines.emplace_back();
-    for(const std::size_t v : arc)
+    for(const std::size_t v : line)
       polylines.back().push_back(skeleton.graph[v].point);
   }
   return polylines;

@@ -21,11 +21,27 @@
 #include <vector>
 
 namespace reeb_graph_program {
+// A place of a skeleton: a vertex of the surface, a point, the thickest point, or all tips.
+struct Skeleton_place
+{
+  enum Kind
+  {
+    VERTEX,
+    POINT,
+    THICKEST,
+    TIPS
+  };
+  Kind kind = TIPS;
+  std::size_t vertex = 0;
+  Point point = CGAL::ORIGIN;
+};
+
 struct Skeleton_settings
 {
   double pruning_ratio = 0.5;
   double sampling_ratio = 0.5;
   bool are_borders_ends = true;
+  std::optional<Skeleton_place> root = std::nullopt; // of trees
 };
 
 // A curve skeleton by numbers.
@@ -40,6 +56,8 @@ struct Skeleton
   std::vector<std::size_t> vertex_map;                     // the point of each vertex of the surface, or none
   std::vector<std::size_t> face_arcs;                      // of each face
   std::vector<char> are_faces_in_junctions;
+  std::size_t soma = none; // the record of the thickest point, if it is the root of the largest tree
+  std::vector<std::vector<std::size_t>> paths; // that are asked for
   CGAL::Reeb_graph::Skeleton_certificate certificate = {};
 };
 
@@ -49,7 +67,16 @@ Skeleton extract_skeleton(const Surface& surface,
                           const Skeleton_settings& settings);
 
 // Finds the arcs, the trees, and what is measured of them but for areas.
-void complete(Skeleton& skeleton);
+void complete(Skeleton& skeleton, const std::optional<Skeleton_place>& root = std::nullopt);
+
+// The points of the skeleton at a place: for a point, the nearest one. If some are of no use, the first ones come first. Throws
+// std::runtime_error if the surface has no such vertex, or no face at it.
+std::vector<std::size_t> points_at(const Skeleton& skeleton, const Skeleton_place& place);
+
+// The shortest ways along the skeleton from some places to others.
+std::vector<std::vector<std::size_t>> paths_between(const Skeleton& skeleton,
+                                                    const std::vector<Skeleton_place>& from,
+                                                    const std::vector<Skeleton_place>& to);
 
 // What is said of all branches.
 struct Skeleton_numbers
@@ -63,7 +90,7 @@ Skeleton_numbers numbers_of(const Skeleton& skeleton);
 // The distance of each point along the lines from a root of its component, an end if there is one.
 std::vector<double> distances_along_lines(const Skeleton& skeleton);
 
-// The points of each arc.
+// The points of each arc, or of the paths, if there are any.
 std::vector<Polyline> polylines_of(const Skeleton& skeleton);
 
 } // namespace reeb_graph_program

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,7 @@
 #include <numeric>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -32,7 +34,9 @@ std::string format_of_skeleton(const std::filesystem::path& path)
   return ending_of(path, "a skeleton", {".swc", ".vtp", ".polylines.txt", ".graphml", ".csv"});
 }
 
-void write_swc(std::ostream& out, const Skeleton& skeleton)
+// The type is 1, that of a soma, where the thickest point is the root. Where the inscribed radius is 0, at an end, it is that of the
+// neighbor.
+void write_swc(std::ostream& out, const Skeleton& skeleton, bool are_radii_inscribed)
 {
   const CGAL::Reeb_graph::internal::Classic_locale classic_locale(out);
   out.precision(std::numeric_limits<double>::max_digits10);
@@ -45,12 +49,41 @@ void write_swc(std::ostream& out, const Skeleton& skeleton)
   {
     const auto& point = skeleton.graph[trees[i].vertex];
     const Point& p = point.point;
-    out << i + 1 << " 0 " << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << point.radius << ' ';
+    double radius = point.radius;
+    if(are_radii_inscribed)
+      radius = point.inscribed_radius;
+    if(!(radius > 0))
+      for(const auto neighbor : CGAL::make_range(boost::adjacent_vertices(trees[i].vertex, skeleton.graph)))
+        radius = (std::max)(radius, skeleton.graph[neighbor].inscribed_radius);
+    out << i + 1 << (i == skeleton.soma ? " 1 " : " 0 ") << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << radius
+        << ' ';
     if(trees[i].parent == Skeleton::none)
       out << "-1\n";
     else
       out << trees[i].parent + 1 << '\n';
   }
+}
+
+typedef std::vector<std::pair<std::string, std::vector<std::int64_t>>> Line_numbers;
+
+void write_lines(std::ostream& out,
+                 const CGAL::Reeb_graph::internal::Vtp_document::Cells& lines,
+                 const std::vector<double>& coordinates,
+                 const std::vector<double>& radii,
+                 const std::vector<double>& inscribed_radii,
+                 const Line_numbers& numbers)
+{
+  CGAL::Reeb_graph::internal::Vtp_document document(out, radii.size(), {}, lines, {});
+  document.write_section("PointData", "Radius", [&] {
+    document.write_array("Radius", radii);
+    document.write_array("MaximumInscribedSphereRadius", inscribed_radii);
+  });
+  document.write_section("CellData", numbers.front().first, [&] {
+    for(const auto& [name, of_lines] : numbers)
+      document.write_array(name, of_lines);
+  });
+  document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });
+  document.finish();
 }
 
 // Lines of a skeleton that lie in junctions, or outside, without loops, with numbers as VMTK has them for centerlines.
@@ -101,6 +134,27 @@ struct Grouped_lines
   std::vector<bool> are_in_junctions;
 };
 
+// A line for each path, as VMTK has centerlines before it groups them.
+void write_paths(std::ostream& out, const Skeleton& skeleton)
+{
+  CGAL::Reeb_graph::internal::Vtp_document::Cells lines;
+  std::vector<double> coordinates, radii, inscribed_radii;
+  std::vector<std::int64_t> numbers;
+  for(const auto& path : skeleton.paths)
+  {
+    for(const std::size_t v : path)
+    {
+      lines.add_point(radii.size());
+      CGAL::Reeb_graph::internal::add_coordinates(skeleton.graph[v].point, coordinates);
+      radii.push_back(skeleton.graph[v].radius);
+      inscribed_radii.push_back(skeleton.graph[v].inscribed_radius);
+    }
+    lines.end_cell();
+    numbers.push_back(static_cast<std::int64_t>(numbers.size()));
+  }
+  write_lines(out, lines, coordinates, radii, inscribed_radii, {{"CenterlineIds", numbers}});
+}
+
 // With the arrays that VMTK has for centerlines.
 void write_vtp(std::ostream& out, const Skeleton& skeleton)
 {
@@ -123,20 +177,12 @@ void write_vtp(std::ostream& out, const Skeleton& skeleton)
     groups.push_back(static_cast<std::int64_t>(i));
     components.push_back(static_cast<std::int64_t>(skeleton.branches[grouped.arcs[i]].component));
   }
-  CGAL::Reeb_graph::internal::Vtp_document document(out, radii.size(), {}, lines, {});
-  document.write_section("PointData", "Radius", [&] {
-    document.write_array("Radius", radii);
-    document.write_array("MaximumInscribedSphereRadius", inscribed_radii);
-  });
-  document.write_section("CellData", "GroupIds", [&] {
-    document.write_array("GroupIds", groups);
-    document.write_array("CenterlineIds", components);
-    document.write_array("TractIds", Numbers(grouped.tracts.begin(), grouped.tracts.end()));
-    document.write_array("Blanking", Numbers(grouped.are_in_junctions.begin(), grouped.are_in_junctions.end()));
-    document.write_array("BranchIds", Numbers(grouped.arcs.begin(), grouped.arcs.end()));
-  });
-  document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });
-  document.finish();
+  write_lines(out, lines, coordinates, radii, inscribed_radii,
+              {{"GroupIds", groups},
+               {"CenterlineIds", components},
+               {"TractIds", Numbers(grouped.tracts.begin(), grouped.tracts.end())},
+               {"Blanking", Numbers(grouped.are_in_junctions.begin(), grouped.are_in_junctions.end())},
+               {"BranchIds", Numbers(grouped.arcs.begin(), grouped.arcs.end())}});
 }
 
 // A node for each point, an edge for each segment.
@@ -205,6 +251,8 @@ void write_skeleton_mesh(const std::filesystem::path& path, const Surface& surfa
   write_surface_with_numbers(path, surface, {{"branch", branches}, {"arc", arcs}, {"junction", junctions}});
 }
 
+void check_path_format(const std::filesystem::path& path) { ending_of(path, "paths", {".vtp", ".polylines.txt"}); }
+
 void check_skeleton_format(const std::filesystem::path& path) { format_of_skeleton(path); }
 
 void note_lost_parts(const std::filesystem::path& path, const Skeleton& skeleton, std::vector<std::string>& notes)
@@ -217,12 +265,14 @@ void note_lost_parts(const std::filesystem::path& path, const Skeleton& skeleton
     notes.push_back(path.string() + ": radii are left out, for which .swc, .vtp and .graphml have room");
 }
 
-void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton)
+void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton, bool are_radii_inscribed)
 {
   const std::string format = format_of_skeleton(path);
   write_file(path, [&](std::ostream& out) {
     if(format == ".swc")
-      write_swc(out, skeleton);
+      write_swc(out, skeleton, are_radii_inscribed);
+    else if(format == ".vtp" && !skeleton.paths.empty())
+      write_paths(out, skeleton);
     else if(format == ".vtp")
       write_vtp(out, skeleton);
     else if(format == ".graphml")

@@ -27,9 +27,11 @@ struct Skeleton_report : Work_report
 
 // Throws std::runtime_error, which names the formats, unless the file name ends with one of them.
 void check_skeleton_format(const std::filesystem::path& path);
+void check_path_format(const std::filesystem::path& path);
 
 // Writes a .swc, .vtp, .polylines.txt, .graphml, or .csv file.
-void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton);
+// If there are paths, the files .vtp and .polylines.txt have these. SWC can have inscribed radii.
+void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton, bool are_radii_inscribed = false);
 
 // Writes the surface as .ply or .vtp, with the branch of each face, the same as its arc, but -1 in junctions, and whether it
 // is in one.

@@ -9,6 +9,8 @@
 #include "output/report_output.h"
 #include "output/skeleton_output.h"
 
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
+
 #include <cstddef>
 #include <iomanip>
 #include <optional>
@@ -35,6 +37,8 @@ void write_text(std::ostream& out, const Skeleton_report& report)
   if(numbers.mean_tortuosity)
     out << ", mean tortuosity " << *numbers.mean_tortuosity;
   out << ", Strahler order " << numbers.order << '\n';
+  if(!report.skeleton.paths.empty())
+    out << "paths     " << report.skeleton.paths.size() << '\n';
   for(const auto& [step, seconds] : report.seconds)
     out << std::left << std::setw(10) << step << std::right << std::fixed << std::setprecision(3) << seconds << " s\n";
   out << std::defaultfloat << std::setprecision(6)
@@ -88,6 +92,14 @@ void write_json(std::ostream& out, const Skeleton_report& report)
                             {"least_radius", row.least_radius},
                             {"greatest_radius", row.greatest_radius},
                             {"inscribed_radius", row.inscribed_radius}});
+  for(const auto& path : report.skeleton.paths)
+  {
+    double length = 0;
+    for(std::size_t i = 1; i != path.size(); ++i)
+      length += CGAL::Reeb_graph::internal::distance_between(report.skeleton.graph[path[i - 1]].point,
+                                                             report.skeleton.graph[path[i]].point);
+    json["paths"].push_back({{"from", path.front()}, {"to", path.back()}, {"length", length}});
+  }
   add_field_and_costs(json, report);
   out << json.dump(2) << '\n';
 }

@@ -218,6 +218,21 @@ def check_by_networkx():
           == sorted((u, v, *(d[name] for name in measures)) for u, v, d in other.edges(data=True)),
           "the measures of arcs are others")
     check(networkx.is_directed_acyclic_graph(graph), "arcs do not ascend")
+    # Paths along a skeleton are the shortest ones, from the place that is farthest from the surface to all ends.
+    neuron = os.path.join(os.path.dirname(mesh), "neuron.off")
+    report = run("skeleton", neuron, "--from", "thickest", "--output", "paths.vtp")
+    run("skeleton", neuron, "--output", "skeleton.graphml")
+    skeleton = networkx.Graph(networkx.read_graphml(folder / "skeleton.graphml", node_type=int))
+    place = {v: [data[name] for name in "xyz"] for v, data in skeleton.nodes(data=True)}
+    for a, b, data in skeleton.edges(data=True):
+        data["length"] = math.dist(place[a], place[b])
+    thickest = max(skeleton.nodes(data="inscribed_radius"), key=lambda node: (node[1], -node[0]))[0]
+    lengths = networkx.single_source_dijkstra_path_length(skeleton, thickest, weight="length")
+    tips = [v for v in skeleton if skeleton.degree(v) == 1]
+    check([path["from"] for path in report["paths"]] == [thickest] * len(tips), "a path begins elsewhere")
+    check([path["to"] for path in report["paths"]] == sorted(tips), "a path ends elsewhere")
+    check(all(math.isclose(path["length"], lengths[path["to"]], rel_tol=1e-9) for path in report["paths"]),
+          "a path is not the shortest one")
 
 
 def read_by_vtk(vtk_io, name):
