@@ -54,13 +54,25 @@ inline void write_fish_completion(std::ostream& out, const CLI::App& app)
   out << options_of(app, complete + " -n __fish_use_subcommand -l ", "\n");
 }
 
+// To be a file in a folder of functions, or to be read by `source`.
+inline void write_zsh_completion(std::ostream& out, const CLI::App& app)
+{
+  out << "#compdef " << app.get_name() << "\n_reeb_graph() {\n  local -a words_of_command=(";
+  for(const CLI::App* command : commands_of(app))
+    out << command->get_name() << ' ';
+  out << options_of(app, "--", " ") << ")\n  if (( CURRENT > 2 )); then\n    case $words[2] in\n";
+  for(const CLI::App* command : commands_of(app))
+    out << "      " << command->get_name() << ") words_of_command=(" << options_of(*command, "--", " ") << ") ;;\n";
+  out << "    esac\n    if [[ $PREFIX != -* ]]; then _files; return; fi\n  fi\n  compadd -- $words_of_command\n}\n"
+      << "if [[ $funcstack[1] == _reeb_graph ]]; then _reeb_graph; else\n"
+      << "  autoload -U +X compinit && compinit\n  compdef _reeb_graph " << app.get_name() << "\nfi\n";
+}
+
 inline void write_completion(std::ostream& out, const CLI::App& app, const std::string& shell)
 {
-  if(shell == "fish")
-    return write_fish_completion(out, app);
-  if(shell == "zsh") // which takes the script of bash
-    out << "autoload -U +X compinit && compinit\nautoload -U +X bashcompinit && bashcompinit\n";
-  write_bash_completion(out, app);
+  shell == "fish"  ? write_fish_completion(out, app)
+  : shell == "zsh" ? write_zsh_completion(out, app)
+                   : write_bash_completion(out, app);
 }
 
 } // namespace reeb_graph_program
