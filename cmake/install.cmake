@@ -22,3 +22,22 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfigVers
                                  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfig.cmake
               ${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfigVersion.cmake DESTINATION ${package_dir} ${to_develop})
+
+# For who builds without CMake: the headers, and with the compiled library.
+set(macros -DCGAL_REEB_GRAPH_COMPILED)
+set(required CGAL_Reeb_graph)
+if(TARGET CGAL::TBB_support)
+  string(APPEND macros " -DCGAL_REEB_GRAPH_COMPILED_PARALLEL -DCGAL_LINKED_WITH_TBB")
+  string(APPEND required " tbb")
+endif()
+if(TARGET CGAL::Eigen3_support)
+  string(APPEND macros " -DCGAL_REEB_GRAPH_COMPILED_SOLVERS -DCGAL_EIGEN3_ENABLED")
+  string(APPEND required " eigen3")
+endif()
+file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /) # so that what is installed can be moved
+foreach(name CGAL_Reeb_graph CGAL_Reeb_graph_compiled)
+  if(name STREQUAL "CGAL_Reeb_graph" OR CGAL_REEB_GRAPH_BUILD_COMPILED)
+    configure_file(${CMAKE_CURRENT_LIST_DIR}/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${to_develop})
+  endif()
+endforeach()
