@@ -1,4 +1,4 @@
-"""Fails if a link or a picture of a page of the manual leads nowhere. Usage: test_links.py HTML_FOLDER"""
+"""Fails if a link or a picture of a page of the manual leads nowhere, or a picture has no text. Usage: test_links.py HTML_FOLDER"""
 
 import html.parser
 import pathlib
@@ -11,10 +11,12 @@ class Page(html.parser.HTMLParser):
 
     def __init__(self, path):
         super().__init__()
-        self.anchors, self.links = set(), []
+        self.anchors, self.links, self.silent_pictures = set(), [], []
         self.feed(path.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag, attrs):
+        if tag in ("img", "object") and not dict(attrs).get("alt" if tag == "img" else "aria-label"):
+            self.silent_pictures.append(dict(attrs).get("src" if tag == "img" else "data"))
         for name, value in attrs:
             if name == "id" or name == "name" and tag == "a":
                 self.anchors.add(value)
@@ -26,6 +28,7 @@ folder = pathlib.Path(sys.argv[1])
 pages = {path.name: Page(path) for path in sorted(folder.glob("*.html"))}
 broken = []
 for name, page in pages.items():
+    broken += [f"{name}: {picture} has no text" for picture in page.silent_pictures]
     for link in page.links:
         target = urllib.parse.urlparse(link)
         if target.scheme or target.netloc or link == "#":

@@ -114,9 +114,14 @@ void write_fixed_values(std::ostream& out, const Fixed_values& fixed)
 
 } // namespace
 
+// What doc/Reeb_graph/report.schema.json describes: a key that goes, or means something else, makes another number.
+constexpr int schema_of_reports = 1;
+
 void write_line(std::ostream& out, const nlohmann::ordered_json& json)
 {
-  out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  nlohmann::ordered_json report = {{"schema", schema_of_reports}};
+  report.update(json);
+  out << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report)
