@@ -101,7 +101,7 @@ void write_json(std::ostream& out, const Skeleton_report& report)
     json["paths"].push_back({{"from", path.front()}, {"to", path.back()}, {"length", length}});
   }
   add_field_and_costs(json, report);
-  out << json.dump(2) << '\n';
+  write_line(out, json);
 }
 
 } // namespace reeb_graph_program
