@@ -53,7 +53,7 @@ together=(-DCMAKE_UNITY_BUILD=ON)
 packages_of_program=(g++ cmake make libcgal-dev libboost-dev libboost-test-dev libeigen3-dev libtbb-dev libcli11-dev
                      nlohmann-json3-dev libmeshoptimizer-dev zlib1g-dev libjs-three)
 # What only some tests read results with, or check the scripts of the page with; they are skipped without.
-packages_of_readers=(chromium chromium-driver python3-selenium python3-vtk9 python3-meshio python3-networkx nodejs eslint graphviz groff-base zsh fish)
+packages_of_readers=(chromium chromium-driver python3-selenium python3-vtk9 python3-meshio python3-networkx python3-jsonschema nodejs eslint graphviz groff-base zsh fish)
 # With these, scripts/test builds and tests the program for ranks of MPI as well.
 packages_of_mpi=(libboost-mpi-dev libopenmpi-dev openmpi-bin)
 has_mpi() { if are_installed "${packages_of_mpi[@]}"; then echo ON; else echo OFF; fi; }
