@@ -50,8 +50,12 @@ public:
         bring_inside(node.point);
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
     {
-      for(Line_point& point : lines.lines()[chain])
-        bring_inside(point);
+      Skeleton_lines::Line& line = lines.lines()[chain];
+      Skeleton_lines::Line inside;
+      for(Line_point& point : line)
+        if(bring_inside(point))
+          inside.push_back(point);
+      line = std::move(inside);
       refine(chain);
     }
     let_loops_wind(is_self_intersecting);
@@ -89,12 +93,14 @@ private:
     Surface_place surface_place() const { return {point.point, vertex}; }
   };
 
-  void bring_inside(Line_point& p) const
+  // Where triangles intersect, there can be no such place.
+  bool bring_inside(Line_point& p) const
   {
     if(tree_.is_well_inside(p.point, p.on_surface))
-      return;
+      return true;
     if(const auto inside = tree_.pulled_inside(p.point, p.on_surface))
       p.point = *inside;
+    return tree_.is_inside(p.point);
   }
 
   void measure(Line_point& p, bool is_counted)
