@@ -28,4 +28,6 @@ for path in folder.glob("*.html"):
     if finished != page:
         path.write_text(finished, encoding="utf-8")
 if len(sys.argv) > 2:
-    shutil.copytree(sys.argv[2], folder / "mathjax", dirs_exist_ok=True)  # links become files
+    needless = ("unpacked", "config", "localization", "test", "SVG", "CommonHTML", "PreviewHTML", "MathML", "AsciiMath")
+    shutil.copytree(sys.argv[2], folder / "mathjax", dirs_exist_ok=True,  # links become files
+                    ignore=shutil.ignore_patterns(*needless))
