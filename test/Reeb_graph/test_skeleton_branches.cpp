@@ -244,6 +244,41 @@ BOOST_AUTO_TEST_CASE(thin_branches_of_wide_tubes)
   }
 }
 
+// Units that are powers of two change nothing but lengths, which are multiplied.
+BOOST_AUTO_TEST_CASE(branches_in_all_units)
+{
+  const Tubes sample = tube_with_branch(20);
+  const auto soup = tube_samples::surface(sample);
+  const auto found_at = [&](int exponent) {
+    auto mesh = make_mesh<Surface_mesh>(soup);
+    for(const auto v : vertices(mesh))
+    {
+      const auto p = mesh.point(v);
+      const auto scaled = [&](double x) { return std::scalbn(x, exponent); };
+      mesh.point(v) = Surface_mesh::Point(scaled(p.x()), scaled(p.y()), scaled(p.z()));
+    }
+    Curve_skeleton<Surface_mesh> skeleton;
+    extract_curve_skeleton(mesh, skeleton);
+    std::vector<double> numbers;
+    for(const Skeleton_branch& branch : measure_branches(skeleton, skeleton_trees(skeleton)))
+      for(const double x : {branch.length, branch.radius, branch.least_radius, branch.greatest_radius,
+                            branch.inscribed_radius, std::scalbn(branch.tortuosity, exponent)})
+        numbers.push_back(std::scalbn(x, -exponent));
+    const auto arc_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+    const auto junction_map = get(CGAL::dynamic_face_property_t<bool>(), mesh);
+    find_branch_faces(mesh, skeleton, arc_map, junction_map);
+    for(const auto f : faces(mesh))
+    {
+      numbers.push_back(static_cast<double>(get(arc_map, f)));
+      numbers.push_back(get(junction_map, f) ? 1 : 0);
+    }
+    return numbers;
+  };
+  const std::vector<double> numbers = found_at(0);
+  for(const int exponent : {-660, -300, 300, 660})
+    BOOST_TEST_CONTEXT("exponent " << exponent) { BOOST_TEST((found_at(exponent) == numbers)); }
+}
+
 BOOST_AUTO_TEST_CASE(branches_of_solids_of_cubes)
 {
   for(std::size_t seed = 0; seed != 40; ++seed)

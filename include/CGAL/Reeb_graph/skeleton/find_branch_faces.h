@@ -49,7 +49,8 @@ struct Junction_arm
     for(std::size_t i = 0; i + 1 != line.size(); ++i)
     {
       const auto along = line[i + 1] - line[i];
-      const double size = along.squared_length(), t = size > 0 ? (p - line[i]) * along / size : 0;
+      const double size = distance_between(line[i], line[i + 1]); // No length is squared, in any unit.
+      const double t = size > 0 ? (p - line[i]) / size * (along / size) : 0;
       const Point place = line[i] + std::clamp(t, 0., 1.) * along;
       const double distance = distance_between(p, place) / tube_radius;
       if(distance < nearest.first)

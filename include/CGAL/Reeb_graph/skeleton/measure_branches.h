@@ -107,17 +107,15 @@ Skeleton_branch measure_branch(const CurveSkeleton& skeleton,
     const double part = are_all_inside ? length : length * balls.share_outside(number, i);
     const double r = radius(i), s = radius(i + 1);
     weight += part;
+    const double share =
+      part > 0 ? part / weight : 0; // of the mean, as products of two lengths overflow in large units
     branch.length += length;
-    branch.radius += part * (r + s) / 2;
-    branch.inscribed_radius += part * (point(i).inscribed_radius + point(i + 1).inscribed_radius) / 2;
+    branch.radius += share * ((r + s) / 2 - branch.radius);
+    branch.inscribed_radius +=
+      share * ((point(i).inscribed_radius + point(i + 1).inscribed_radius) / 2 - branch.inscribed_radius);
     branch.least_radius = (std::min)(branch.least_radius, s);
     branch.greatest_radius = (std::max)(branch.greatest_radius, s);
     branch.volume += length * std::acos(-1.) / 3 * (r * r + r * s + s * s);
-  }
-  if(weight > 0)
-  {
-    branch.radius /= weight;
-    branch.inscribed_radius /= weight;
   }
   const double distance = distance_between(skeleton[arc.front()].point, skeleton[arc.back()].point);
   if(distance > 0)
