@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -311,14 +312,14 @@ public:
     std::vector<Numbered_box> boxes;
     for(const Patch& patch : patches_)
     {
-      boxes.push_back(Numbered_box(patch.box, boxes.size()));
+      boxes.push_back(Numbered_box(patch.extent.box(), boxes.size()));
       if(!patch.is_flat())
         test_patch(patch);
     }
     std::vector<std::pair<std::size_t, std::size_t>> pairs; // of a flat patch, and one that overlaps it
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
       const Patch &patch = patches_[a.info()], &other = patches_[b.info()];
-      if(component_of(patch) != component_of(other))
+      if(component_of(patch) != component_of(other) || !do_overlap(patch.extent, other.extent))
         return;
       if(patch.is_flat())
         pairs.emplace_back(a.info(), b.info());
@@ -351,16 +352,46 @@ private:
     FLAT,
     FOLDED
   };
+  // Where points lie along the axes and their diagonals: rounding a sum of two keeps the order of exact ones. Spikes lean, and
+  // boxes of many overlap that come nowhere near to each other.
+  struct Extent
+  {
+    std::array<double, 9> least, greatest;
+
+    Extent()
+    {
+      least.fill(std::numeric_limits<double>::infinity());
+      greatest.fill(-std::numeric_limits<double>::infinity());
+    }
+    void add(const Vector& p)
+    {
+      const std::array<double, 9> places = {p[0],        p[1],        p[2],        p[0] + p[1], p[0] - p[1],
+                                            p[0] + p[2], p[0] - p[2], p[1] + p[2], p[1] - p[2]};
+      for(std::size_t i = 0; i != places.size(); ++i)
+      {
+        least[i] = (std::min)(least[i], places[i]);
+        greatest[i] = (std::max)(greatest[i], places[i]);
+      }
+    }
+    Bbox_3 box() const { return {least[0], least[1], least[2], greatest[0], greatest[1], greatest[2]}; }
+    friend bool do_overlap(const Extent& a, const Extent& b)
+    {
+      for(std::size_t i = 0; i != a.least.size(); ++i)
+        if(a.least[i] > b.greatest[i] || b.least[i] > a.greatest[i])
+          return false;
+      return true;
+    }
+  };
   struct Face
   {
     Index number;
-    Bbox_3 box;
+    Extent extent;
   };
   struct Patch
   {
     std::size_t begin, end;              // of its faces
     std::ptrdiff_t ball_begin, ball_end; // of the faces of its ball, which are kept if that is flat
-    Bbox_3 box;
+    Extent extent;
     bool is_flat() const { return ball_begin != ball_end; }
   };
 
@@ -432,17 +463,15 @@ private:
   {
     is_placed[face] = true;
     faces_.push_back(face);
-    patches_.back().box += box(face);
+    for(const Index v : surface_.corners(face))
+      patches_.back().extent.add(surface_.points[v]);
   }
 
-  Bbox_3 box(Index face) const
+  Extent extent(Index face) const
   {
-    Bbox_3 result;
+    Extent result;
     for(const Index v : surface_.corners(face))
-    {
-      const Closed_triangles::Point& p = surface_.points[v];
-      result += Bbox_3(p[0], p[1], p[2], p[0], p[1], p[2]);
-    }
+      result.add(surface_.points[v]);
     return result;
   }
 
@@ -476,7 +505,7 @@ private:
     near_.clear();
     for(std::size_t i = patch.begin; i != patch.end && !is_done(patch); ++i)
     {
-      const Face face = {faces_[i], box(faces_[i])};
+      const Face face = {faces_[i], extent(faces_[i])};
       const auto [u, v, w] = surface_.corners(face.number);
       if(!is_flat(u) && !is_flat(v) && !is_flat(w) && triangle(face).triangle().is_degenerate())
         ++numbers_[component_of(patch)];
@@ -491,17 +520,18 @@ private:
   {
     near_.clear();
     for(std::size_t i = b.begin; i != b.end && !is_done(a); ++i)
-      if(!(a.is_flat() && ball_.contains(faces_[i])) && do_overlap(box(faces_[i]), a.box))
-        near_.push_back({faces_[i], box(faces_[i])});
+      if(!(a.is_flat() && ball_.contains(faces_[i])))
+        if(const Face face = {faces_[i], extent(faces_[i])}; do_overlap(face.extent, a.extent))
+          near_.push_back(face);
     for(std::size_t i = a.begin; i != a.end && !near_.empty(); ++i)
-      if(const Face face = {faces_[i], box(faces_[i])}; do_overlap(face.box, b.box))
+      if(const Face face = {faces_[i], extent(faces_[i])}; do_overlap(face.extent, b.extent))
         test_near(face, a.is_flat());
   }
 
   void test_near(const Face& face, bool is_apart)
   {
     for(const Face& other : near_)
-      if(do_overlap(face.box, other.box) && (is_apart || !are_around_flat_vertex(face, other)))
+      if(do_overlap(face.extent, other.extent) && (is_apart || !are_around_flat_vertex(face, other)))
         test(face, other);
   }
 
@@ -516,8 +546,9 @@ private:
 
   void test(const Face& a, const Face& b)
   {
-    if(!is_plane_between(a, b) && !is_plane_between(b, a)
-       && do_intersect(triangle(a), triangle(b), have_double_edge(a.number, b.number)))
+    const bool is_edge_double = have_double_edge(a.number, b.number);
+    if((is_edge_double || (!is_plane_between(a, b) && !is_plane_between(b, a)))
+       && do_intersect(triangle(a), triangle(b), is_edge_double))
       ++numbers_[component_of(a.number)];
   }
 
@@ -539,7 +570,10 @@ private:
     const std::array<Vector, 3> edges = {surface_.way(of_a[0], of_a[1]), surface_.way(of_a[1], of_a[2]),
                                          surface_.way(of_a[2], of_a[0])};
     const Vector normal = cross(edges[0], edges[1]);
-    const Bbox_3 box = a.box + b.box;
+    const Bbox_3 box = a.extent.box() + b.extent.box();
+    std::array<std::size_t, 3> shared; // by corner of b, that of a
+    for(std::size_t k = 0; k != 3; ++k)
+      shared[k] = static_cast<std::size_t>(std::find(of_a.begin(), of_a.end(), of_b[k]) - of_a.begin());
     const double size = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
     double margin = 1e-12 * size * size * size;
     if(!(margin * size > 1e-250 && margin * size < 1e250))
@@ -547,11 +581,16 @@ private:
     for(std::size_t i = 0; i != 4; ++i)
     {
       const Vector axis = i == 0 ? normal : cross(edges[i - 1], normal);
-      std::array<double, 3> heights;
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
       for(std::size_t k = 0; k != 3; ++k)
-        heights[k] = dot(axis, surface_.way(of_a[i == 0 ? 0 : i - 1], of_b[k]));
-      if((std::min)({heights[0], heights[1], heights[2]}) > margin
-         || (i == 0 && (std::max)({heights[0], heights[1], heights[2]}) < -margin))
+      {
+        if(shared[k] != 3 && (i == 0 || shared[k] != (i + 1) % 3)) // It is on the plane.
+          continue;
+        const double height = dot(axis, surface_.way(of_a[i == 0 ? 0 : i - 1], of_b[k]));
+        lowest = (std::min)(lowest, height);
+        highest = (std::max)(highest, height);
+      }
+      if(lowest <= highest && (lowest > margin || (i == 0 && highest < -margin)))
         return true;
       if(i == 0)
         margin *= size;
