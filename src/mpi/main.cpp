@@ -91,7 +91,8 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   CLI::App app("Exact Reeb graphs of scalar fields on surfaces that the ranks of MPI share", "reeb_graph_mpi");
   app.formatter(std::make_shared<reeb_graph_program::Help_formatter>());
   app.require_subcommand(1);
-  app.set_version_flag("--version", "reeb_graph_mpi " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ")");
+  app.set_version_flag("--version",
+                       "reeb_graph_mpi " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ", " REEB_GRAPH_COMPILER ")");
   Compute_options options;
   add_compute_on_ranks_command(app, options);
   try
