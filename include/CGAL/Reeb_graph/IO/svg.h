@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/graph_topology.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
 #include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
@@ -412,7 +413,7 @@ private:
   {
     std::size_t longest = 0;
     const auto length = [&](std::size_t i) {
-      return std::hypot(arc.points[i + 1][0] - arc.points[i][0], arc.points[i + 1][1] - arc.points[i][1]);
+      return length_of(arc.points[i + 1][0] - arc.points[i][0], arc.points[i + 1][1] - arc.points[i][1], 0);
     };
     for(std::size_t i = 0; i + 1 < arc.points.size(); ++i)
     {

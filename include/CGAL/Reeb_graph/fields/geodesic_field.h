@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/fields/internal/laplacian_graph.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
@@ -154,7 +155,7 @@ private:
     const Halfedge g = opposite(h);
     const auto [x, y] = place_above(length(h), length(previous(h)), length(next(h)));
     const auto [u, v] = place_above(length(h), length(next(g)), length(previous(g)));
-    const double new_length = std::hypot(x - u, y + v);
+    const double new_length = length_of(x - u, y + v, 0);
     if(!(new_length > 0) || !std::isfinite(new_length))
       return false;
     if(!is_new_[h])
@@ -322,7 +323,7 @@ private:
       return;
     // The point is too near where ways from both sides meet.
     const double bound_of_v = bound(origin_of_v, c), bound_of_a = bound(origin_of_a, c);
-    const double distance = offset + std::hypot(x - x_of_source, y + y_of_source);
+    const double distance = offset + length_of(x - x_of_source, y + y_of_source, 0);
     reach(c, (std::max)({distance, (std::min)(bound_of_v, bound_of_a), distances_[v]}),
           origin != no_index ? origin : (bound_of_v < bound_of_a ? origin_of_v : origin_of_a));
   }
