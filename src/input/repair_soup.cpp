@@ -341,26 +341,12 @@ public:
   {
     Repair_counts& counts = result_.counts;
     counts.given = counts.merged = count_soup(soup_.polygons, soup_.points.size());
-    const bool is_merged = options_.are_coinciding_points_merged || options_.distance;
-    constexpr int most_turns = 8;
-    for(int turn = 0; turn < most_turns; ++turn)
-    {
-      if(!(is_merged && merge()) && turn > 0)
-        break;
-      // What is cancelled can be in the way of merging.
-      while(options_.are_opposite_faces_cancelled && cancel_opposite_faces() && is_merged && merge())
-      {}
-      if(options_.are_faces_triangulated && triangulate_faces(soup_))
-        throw std::runtime_error("a face cannot be cut into triangles");
-      if(options_.is_split)
-        add_points(split_at_pairs(soup_, pair_faces(soup_), counts));
-      if(options_.are_faces_oriented)
-        orient();
-      soup_.copies.clear();
-      if(!options_.is_split || options_.distance || !is_merged)
-        break; // else points may be merged now, as faces are parted, and agree
-    }
-    if(is_merged)
+    if(!options_.distance && options_.are_coinciding_points_merged && options_.are_opposite_faces_cancelled
+       && options_.is_split)
+      mend_in_the_best_way();
+    else
+      mend();
+    if(options_.are_coinciding_points_merged || options_.distance)
       count_unmerged_points();
     if(options_.least_share > 0)
       leave_out_pieces(faces_of_lesser_pieces(soup_, options_.least_share, counts), counts.faces_of_pieces);
@@ -373,6 +359,58 @@ public:
   }
 
 private:
+  void mend()
+  {
+    const bool is_merged = options_.are_coinciding_points_merged || options_.distance;
+    constexpr int most_turns = 8;
+    for(int turn = 0; turn < most_turns; ++turn)
+    {
+      if(!(is_merged && merge()) && turn > 0)
+        break;
+      // What is cancelled can be in the way of merging.
+      while(options_.are_opposite_faces_cancelled && cancel_opposite_faces() && is_merged && merge())
+      {}
+      if(options_.are_faces_triangulated && triangulate_faces(soup_))
+        throw std::runtime_error("a face cannot be cut into triangles");
+      if(options_.is_split)
+        add_points(split_at_pairs(soup_, pair_faces(soup_), result_.counts));
+      if(options_.are_faces_oriented)
+        orient();
+      soup_.copies.clear();
+      if(!options_.is_split || options_.distance || !is_merged)
+        break; // else points may be merged now, as faces are parted, and agree
+    }
+  }
+
+  // Where coinciding points of borders are all joined first, as in a file whose faces have corners of their own, fewer
+  // edges may be of one face in the end. A second repair finds no better way.
+  void mend_in_the_best_way()
+  {
+    const Polygon_soup soup = soup_;
+    const Repair_result result = result_;
+    mend();
+    is_better_joined(soup, result);
+    while(is_better_joined(soup_, result_))
+    {}
+  }
+
+  // Takes the way that joins first, if it is better.
+  bool is_better_joined(Polygon_soup soup, const Repair_result& result)
+  {
+    Soup_repair other(soup, options_);
+    other.result_ = result;
+    const std::vector<Corner> border = border_points(soup.polygons);
+    if(!other.join(join_close_points(soup.points, border, 0)))
+      return false;
+    other.mend();
+    if(count_soup(soup.polygons, soup.points.size()).border_edges
+       >= count_soup(soup_.polygons, soup_.points.size()).border_edges)
+      return false;
+    soup_ = std::move(soup);
+    result_ = std::move(other.result_);
+    return true;
+  }
+
   // Keeps those of the points, in their order, and of the polygons what is left.
   void keep(const std::vector<char>& is_kept)
   {
@@ -438,6 +476,11 @@ private:
     const std::vector<Corner> joined =
       options_.distance ? join_close_points(soup_.points, border_points(soup_.polygons), *options_.distance)
                         : merge_coinciding_points(soup_, options_.is_split);
+    return join(joined);
+  }
+
+  bool join(const std::vector<Corner>& joined)
+  {
     soup_.polygons = copy_polygons(soup_.polygons, {}, [&](Corner v) { return joined[v]; });
     std::vector<char> is_kept(joined.size());
     for(std::size_t v = 0; v < joined.size(); ++v)

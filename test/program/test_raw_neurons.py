@@ -67,10 +67,16 @@ def write(path, points, faces):
                                   + "".join("3 %d %d %d\n" % face for face in faces))
 
 
+def torn(points, faces):
+    """Each face with corners of its own, as in a file of STL."""
+    return [points[v] for face in faces for v in face], [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(len(faces))]
+
+
 clean_report = report_of("skeleton", clean, "--fill-borders")
 faults = []
 for seed in range(12):
-    write("raw.off", *soiled(*read(clean), random.Random(seed)))
+    raw = soiled(*read(clean), random.Random(seed))
+    write("raw.off", *(torn(*raw) if seed % 2 == 1 else raw))
     subprocess.run([program, "repair", "raw.off", "--all", "--least-piece", "0.01", "--fill", "100", "--output",
                     "repaired.off"], check=True, stdout=subprocess.DEVNULL)
     report = report_of("skeleton", "repaired.off", "--fill-borders")
