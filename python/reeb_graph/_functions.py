@@ -179,7 +179,7 @@ def repair(
         The share of the area from which on components stay. If it is not 0, closed ones go, too, that have no inside, or
         are inside out and neither lie in another one nor hold one.
     fill : int
-        Borders of at most so many edges are filled.
+        Borders of at most so many edges are filled, as by CGAL.
     largest : bool
         Whether only the component with the most triangles stays.
     all : bool

@@ -13,6 +13,7 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
@@ -268,12 +269,17 @@ private:
   std::vector<Vector> corners_;
 };
 
-// The borders of at most so many edges, against the direction of their faces, so that a polygon that fills one agrees
-// with them. They pass no vertex twice, and their faces agree.
-std::vector<std::vector<Corner>> small_borders(const Polygon_soup& soup, std::size_t most_edges)
+struct Border
+{
+  std::vector<Corner> vertices, third_vertices; // the latter of the faces at the edges that begin at the former
+};
+
+// Those of at most so many edges, against the direction of their faces, so that a polygon that fills one agrees with them.
+// They pass no vertex twice, and their faces agree.
+std::vector<Border> small_borders(const Polygon_soup& soup, std::size_t most_edges)
 {
   const std::vector<Polygon_side> sides = sides_of(soup.polygons);
-  std::vector<Corner> next(soup.points.size(), too_large_corner);
+  std::vector<Corner> next(soup.points.size(), too_large_corner), third = next;
   std::vector<std::array<char, 2>> numbers(soup.points.size(), {0, 0}); // of border edges that begin, and that end
   for_each_edge(sides, [&](std::size_t begin, std::size_t end) {
     if(end - begin != 1)
@@ -281,52 +287,88 @@ std::vector<std::vector<Corner>> small_borders(const Polygon_soup& soup, std::si
     const auto [low, high] = std::pair(sides[begin].u, sides[begin].v);
     const Corner from = sides[begin].is_descending ? low : high, to = sides[begin].is_descending ? high : low;
     next[from] = to;
+    for(const Corner v : soup.polygons[sides[begin].face])
+      third[from] = v != low && v != high ? v : third[from];
     numbers[from][0] = numbers[from][0] == 0 ? 1 : 2;
     numbers[to][1] = numbers[to][1] == 0 ? 1 : 2;
   });
-  std::vector<std::vector<Corner>> borders;
+  std::vector<Border> borders;
   std::vector<char> is_passed(soup.points.size(), 0);
   for(std::size_t first = 0; first < soup.points.size(); ++first)
   {
-    std::vector<Corner> border;
+    Border border;
     Corner v = static_cast<Corner>(first);
     for(; numbers[v] == std::array<char, 2>{1, 1} && is_passed[v] == 0; v = next[v])
     {
       is_passed[v] = 1;
-      border.push_back(v);
+      border.vertices.push_back(v);
+      border.third_vertices.push_back(third[v]);
     }
-    if(!border.empty() && v == first && border.size() <= most_edges)
+    if(!border.vertices.empty() && v == first && border.vertices.size() <= most_edges)
       borders.push_back(border);
   }
   return borders;
+}
+
+// The triangles of CGAL's hole filling, by positions on the border, in units in which nothing overflows. None where it
+// finds none, or where one would give an edge to more than two faces.
+std::vector<Corners> fill(const Border& border, const std::vector<Point>& points, Taken_edges& taken)
+{
+  const std::vector<Corner>& vertices = border.vertices;
+  if(vertices.size() == 3)
+    return {{0, 1, 2}};
+  double largest = 0;
+  for(const auto* of : {&border.vertices, &border.third_vertices})
+    for(const Corner v : *of)
+      for(int i = 0; i < 3; ++i)
+        largest = std::max(largest, std::abs(points[v][i] / 2 - points[vertices[0]][i] / 2));
+  const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
+  const auto scaled = [&](const std::vector<Corner>& of) {
+    std::vector<CGAL::Reeb_graph::internal::Disc_point> result;
+    for(const Corner v : of)
+    {
+      const auto along = [&](int i) { return std::ldexp(points[v][i] / 2 - points[vertices[0]][i] / 2, exponent); };
+      result.emplace_back(along(0), along(1), along(2));
+    }
+    return result;
+  };
+  std::vector<Corners> result =
+    CGAL::Reeb_graph::internal::triangulate_disc(scaled(vertices), scaled(border.third_vertices));
+  const auto visit_diagonals = [&](const auto& visit) {
+    for(const Corners& t : result)
+      for(const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
+        if(t[j] - t[i] != 1 && t[j] - t[i] + 1 != vertices.size())
+          visit(vertices[t[i]], vertices[t[j]]);
+  };
+  for(Corners& t : result)
+    std::sort(t.begin(), t.end());
+  bool is_any_taken = false;
+  visit_diagonals([&](Corner u, Corner v) { is_any_taken = is_any_taken || taken.has(u, v); });
+  if(is_any_taken || result.size() + 2 != vertices.size())
+    return {};
+  visit_diagonals([&](Corner u, Corner v) { taken.insert(u, v); });
+  return result;
 }
 
 } // namespace
 
 std::size_t fill_borders(Polygon_soup& soup, std::size_t most_edges, std::vector<std::array<Corner, 2>>& origins)
 {
-  const std::vector<std::vector<Corner>> borders = small_borders(soup, most_edges);
+  const std::vector<Border> borders = small_borders(soup, most_edges);
   Taken_edges taken(soup);
-  for(const std::vector<Corner>& border : borders)
+  for(const Border& border : borders)
   {
-    const auto at = [&](std::size_t i) { return border[i % border.size()]; };
-    const Polygon_cut cut(soup.points, Polygons::Polygon(border.data(), border.data() + border.size()), taken);
-    std::vector<Corners> pieces = border.size() == 3 ? std::vector<Corners>(1, Corners{0, 1, 2}) : cut.triangles();
-    bool is_any_taken = pieces.empty();
-    for(const Corners& piece : pieces)
-      cut.visit_diagonals(piece, [&](Corner u, Corner v) { is_any_taken = is_any_taken || taken.has(u, v); });
-    for(const Corners& piece : is_any_taken ? std::vector<Corners>() : pieces)
-    {
-      soup.polygons.add(std::array<Corner, 3>{at(piece[0]), at(piece[1]), at(piece[2])});
-      cut.visit_diagonals(piece, [&](Corner u, Corner v) { taken.insert(u, v); });
-    }
-    if(!is_any_taken)
+    const std::vector<Corner>& v = border.vertices;
+    const std::vector<Corners> triangles = fill(border, soup.points, taken);
+    for(const auto& [i, j, k] : triangles)
+      soup.polygons.add(std::array<Corner, 3>{v[i], v[j], v[k]});
+    if(!triangles.empty())
       continue;
     const std::size_t center = soup.points.size();
-    soup.points.push_back(mean_of(soup.points, border));
-    origins.push_back({border[0], border[border.size() / 2]});
-    for(std::size_t i = 0; i < border.size(); ++i)
-      soup.polygons.add(std::array<std::size_t, 3>{at(i), at(i + 1), center});
+    soup.points.push_back(mean_of(soup.points, v));
+    origins.push_back({v[0], v[v.size() / 2]});
+    for(std::size_t i = 0; i < v.size(); ++i)
+      soup.polygons.add(std::array<std::size_t, 3>{v[i], v[(i + 1) % v.size()], center});
   }
   return borders.size();
 }

@@ -590,6 +590,48 @@ void test_filling(std::size_t seed)
   check(repair_soup(open, options).counts.filled_borders == 0 && open.polygons.size() == 3, "a long border is filled");
 }
 
+// The rims of cones, flat and bent, pressed to slits and to few places, in any units: closed, and flat ones with their area.
+void test_rims(std::size_t size, double unit)
+{
+  for(const char* form : {"flat", "bent", "slit", "few places", "one place"})
+  {
+    const std::string name = form;
+    Polygon_soup soup;
+    double area = 0;
+    for(std::size_t i = 0; i < size; ++i)
+    {
+      const double angle = 2 * 3.14159265358979
+                         * double(name == "few places"  ? i % 2
+                                  : name == "one place" ? 0
+                                                        : i)
+                         / double(size);
+      soup.points.emplace_back(unit * std::cos(angle), name == "slit" ? 0 : unit * std::sin(angle),
+                               name == "bent" ? 0.3 * unit * std::cos(3 * angle) : 0);
+      soup.polygons.add(std::array<std::size_t, 3>{i, (i + 1) % size, size});
+      area += std::sin(2 * 3.14159265358979 / double(size)) / 2;
+    }
+    soup.points.emplace_back(0, 0, -unit);
+    Repair_options options;
+    options.most_filled_edges = size;
+    const Repair_result result = repair_soup(soup, options);
+    const std::string what = name + " rim of " + std::to_string(size) + " edges";
+    check(result.counts.result.is_surface() && result.counts.result.border_edges == 0, what + " is not closed");
+    double filled = 0;
+    for(std::size_t i = size; i < soup.polygons.size(); ++i)
+    {
+      const auto at = [&](std::size_t k) {
+        const Point& p = soup.points[soup.polygons[i].begin()[k]];
+        return Point(p.x() / unit, p.y() / unit, p.z() / unit);
+      };
+      filled += std::sqrt(CGAL::cross_product(at(1) - at(0), at(2) - at(0)).squared_length()) / 2;
+    }
+    if(name == "flat")
+      check(std::abs(filled - area) < 1e-9 && result.counts.filling_faces == size - 2, what + " is not filled flat");
+    else if(name == "bent")
+      check(filled < 4 && result.counts.filling_faces == size - 2, what + " is filled with folds");
+  }
+}
+
 } // namespace
 
 int main()
@@ -598,6 +640,9 @@ int main()
     test_random_points(seed);
   for(std::size_t seed = 0; seed < 100; ++seed)
     test_closing(seed);
+  for(const std::size_t size : {3, 4, 20, 60})
+    for(const double unit : {1., 1e-200, 1e200})
+      test_rims(size, unit);
   test_chain();
   test_extreme_numbers();
   test_wrong_distances();
