@@ -87,6 +87,8 @@ endforeach()
 file(GLOB files ${FOLDER}/pieces/*)
 list(LENGTH files number_of_files)
 expect_equal("${number_of_files}" "${number_of_arcs}")
+file(WRITE ${FOLDER}/pieces/piece_1000.ply "")
+expect_error("piece_1000.ply: this piece is of an earlier run" skeleton neuron.off --pieces pieces)
 expect_error("m.off: the file name" skeleton neuron.off --mesh-out m.off)
 expect_error("s.swc: the folder cannot be made" skeleton neuron.off --pieces s.swc)
 
