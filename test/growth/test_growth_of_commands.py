@@ -40,7 +40,8 @@ commands.update({
                 near_linear),
     "repair": (["repair", "{mesh}", "--all", "--least-piece", "0.01", "--fill", "50", "--output", "out.ply"],
                near_linear),
-    "skeleton": (["skeleton", "{mesh}", "--output", "s.swc", "--output", "s.vtp"], near_linear),
+    "skeleton": (["skeleton", "{mesh}", "--output", "s.swc", "s.vtp", "s.csv", "s.graphml", "--mesh-out", "mesh.vtp",
+                  "--pieces", "pieces"], near_linear),
     "field height": (["field", "{mesh}", "--type", "height", "--output", "f.txt"], near_linear),
     "field geodesic": (["field", "{mesh}", "--type", "geodesic", "--output", "f.txt"], near_linear),
 })
