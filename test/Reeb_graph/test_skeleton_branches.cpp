@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 #include <CGAL/Reeb_graph/skeleton/find_branch_faces.h>
 #include <CGAL/Reeb_graph/skeleton/measure_branches.h>
+#include <CGAL/Reeb_graph/skeleton/skeleton_paths.h>
 #include <CGAL/Reeb_graph/skeleton/skeleton_trees.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -24,8 +25,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 // Branches of curve skeletons: trees, numbers, and faces.
@@ -144,11 +147,52 @@ void check_faces(const Mesh& mesh, const Map& arc_map, const Junction_map& junct
   BOOST_TEST((arcs.empty() || *arcs.rbegin() < number_of_arcs));
 }
 
+// Paths are as long as the shortest ones, which Bellman and Ford find.
+template <class Skeleton>
+void check_paths(const Skeleton& skeleton)
+{
+  const auto length = [&](std::size_t v, std::size_t w) {
+    return std::sqrt(CGAL::to_double(CGAL::squared_distance(skeleton[v].point, skeleton[w].point)));
+  };
+  const std::size_t from = num_vertices(skeleton) / 2;
+  std::vector<double> least(num_vertices(skeleton), std::numeric_limits<double>::infinity());
+  least[from] = 0;
+  for(bool is_any_less = true; std::exchange(is_any_less, false);)
+    for(const auto e : CGAL::make_range(edges(skeleton)))
+      for(const auto& [v, w] :
+          {std::pair(source(e, skeleton), target(e, skeleton)), std::pair(target(e, skeleton), source(e, skeleton))})
+        if(const double way = least[v] + length(v, w); way < least[w])
+        {
+          least[w] = way;
+          is_any_less = true;
+        }
+  const auto all = vertices(skeleton);
+  const std::vector<std::size_t> to(all.first, all.second);
+  const auto paths = skeleton_paths(skeleton, from, to);
+  BOOST_REQUIRE(paths.size() == to.size());
+  for(const std::size_t v : to)
+  {
+    const std::vector<std::size_t>& path = paths[v];
+    BOOST_REQUIRE(path.empty() == std::isinf(least[v]));
+    if(path.empty())
+      continue;
+    BOOST_TEST((path.front() == from && path.back() == v));
+    double sum = 0;
+    for(std::size_t i = 1; i != path.size(); ++i)
+    {
+      BOOST_TEST(edge(path[i - 1], path[i], skeleton).second);
+      sum += length(path[i - 1], path[i]);
+    }
+    BOOST_TEST(std::abs(sum - least[v]) <= 1e-12 * (1 + sum));
+  }
+}
+
 template <class Mesh>
 std::vector<Skeleton_branch> check_all(const Mesh& mesh)
 {
   Curve_skeleton<Mesh> skeleton;
   extract_curve_skeleton(mesh, skeleton);
+  check_paths(skeleton);
   const std::vector<Skeleton_record> trees = skeleton_trees(skeleton);
   check_trees(skeleton, trees);
   const std::size_t last = num_vertices(skeleton) - 1;
@@ -194,7 +238,7 @@ Tubes tube_with_branch(double lean)
 }
 } // namespace
 
-BOOST_AUTO_TEST_CASE(thin_branches_of_wide_tubes)
+BOOST_AUTO_TEST_CASE_TEMPLATE(thin_branches_of_wide_tubes, Mesh, Meshes)
 {
   for(const double lean : {0., 20.})
   {
@@ -203,8 +247,8 @@ BOOST_AUTO_TEST_CASE(thin_branches_of_wide_tubes)
     for(const double noise : {0., 0.05, 0.1})
       BOOST_TEST_CONTEXT("lean " << lean << " noise " << noise)
       {
-        const auto mesh = make_mesh<Surface_mesh>(tube_samples::with_noise(soup, sample, noise, 3));
-        Curve_skeleton<Surface_mesh> skeleton;
+        const auto mesh = make_mesh<Mesh>(tube_samples::with_noise(soup, sample, noise, 3));
+        Curve_skeleton<Mesh> skeleton;
         extract_curve_skeleton(mesh, skeleton);
         const std::vector<Skeleton_branch> branches = measure_branches(skeleton, skeleton_trees(skeleton));
         BOOST_REQUIRE(branches.size() == 3u);
@@ -217,6 +261,7 @@ BOOST_AUTO_TEST_CASE(thin_branches_of_wide_tubes)
           if(i != number)
             BOOST_TEST(std::abs(branches[i].radius - 10) <= 0.5);
 
+        const auto point_map = get(CGAL::vertex_point, mesh);
         auto arc_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
         auto junction_map = get(CGAL::dynamic_face_property_t<bool>(), mesh);
         find_branch_faces(mesh, skeleton, arc_map, junction_map);
@@ -226,7 +271,7 @@ BOOST_AUTO_TEST_CASE(thin_branches_of_wide_tubes)
           tube_samples::Point center = {0, 0, 0};
           for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
             for(int i = 0; i != 3; ++i)
-              center[static_cast<std::size_t>(i)] += mesh.point(v)[i] / 3;
+              center[static_cast<std::size_t>(i)] += get(point_map, v)[i] / 3;
           const bool is_thin = sample.tubes[1].distance_to(center) < sample.tubes[0].distance_to(center);
           const auto& tube = sample.tubes[is_thin ? 1 : 0];
           const double height =
