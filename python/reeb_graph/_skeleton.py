@@ -39,6 +39,10 @@ class Skeleton:
         Its `component`, `parent` (-1 at a root), `from` and `to`, `length`, `tortuosity` (NaN if it is closed),
         `strahler`, `radius` and `inscribed_radius` as means by length, `least_radius`, `greatest_radius`, `volume`, and
         `area` of the surface. Parents and Strahler numbers are those of the trees of an SWC file.
+    point_in_junction, edge_in_junction : (n,) and (m,) arrays of bool
+    face_branches : (number of triangles,) array of int, or None if a copy has been repaired
+        The arc around which each triangle lies.
+    face_in_junction : (number of triangles,) array of bool, or None
     """
 
     points: np.ndarray
@@ -49,6 +53,10 @@ class Skeleton:
     vertex_map: np.ndarray
     counts: dict[str, int]
     branches: dict[str, np.ndarray]
+    point_in_junction: np.ndarray
+    edge_in_junction: np.ndarray
+    face_branches: np.ndarray | None
+    face_in_junction: np.ndarray | None
 
     @property
     def cable_length(self) -> float:
@@ -133,7 +141,10 @@ def skeleton(
     repairs = _core.RepairOptions(True, None, True, False, not strict, True, float(least_piece), 0, False)
     arguments = mesh.checked(number), number, values, settings, repairs
     found = run(_core.skeleton, *arguments, threads=threads, progress=progress, name="skeleton")
-    of_points, radii, inscribed_radii, arcs, vertex_map, counts, branches = found
+    of_points, radii, inscribed_radii, arcs, vertex_map, counts, branches, *flags = found
+    of_points_inside, of_edges_inside, face_branches, of_faces_inside = flags
     pairs = [np.column_stack([arc[:-1], arc[1:]]) for arc in arcs]
     edges = np.concatenate(pairs) if pairs else np.zeros((0, 2), dtype=np.int64)
-    return Skeleton(of_points, edges, radii, inscribed_radii, arcs, vertex_map, counts, branches)
+    of_faces = (face_branches, of_faces_inside.astype(bool)) if len(face_branches) else (None, None)
+    return Skeleton(of_points, edges, radii, inscribed_radii, arcs, vertex_map, counts, branches,
+                    of_points_inside.astype(bool), of_edges_inside.astype(bool), *of_faces)

@@ -550,6 +550,8 @@ py::object skeleton(const Mesh_arrays& arrays,
     if(given)
       map = add_map(mesh.surface, "v:scalar", given);
     result = extract_skeleton(mesh.surface, map, settings);
+    if(mesh.repair)
+      result.face_arcs.clear(); // which are those of a copy
   });
   const auto& known = result.certificate;
   std::vector<std::int64_t> vertex_map;
@@ -571,14 +573,23 @@ py::object skeleton(const Mesh_arrays& arrays,
     {"self_intersecting_components", known.number_of_crossing_components}};
   std::vector<Point> points;
   std::vector<double> radii, inscribed_radii;
+  std::vector<std::int64_t> are_in_junctions;
   for(const auto v : CGAL::make_range(vertices(result.graph)))
   {
+    are_in_junctions.push_back(result.graph[v].is_in_junction ? 1 : 0);
     points.push_back(result.graph[v].point);
     radii.push_back(result.graph[v].radius);
     inscribed_radii.push_back(result.graph[v].inscribed_radius);
   }
+  std::vector<std::int64_t> are_edges_in_junctions;
+  for(const auto e : CGAL::make_range(edges(result.graph)))
+    are_edges_in_junctions.push_back(result.graph[e].is_in_junction ? 1 : 0);
+  const auto& are_faces = result.are_faces_in_junctions;
   return py::make_tuple(to_object(points), to_object(radii), to_object(inscribed_radii), to_object(result.arcs),
-                        to_object(vertex_map), py::cast(numbers), columns_of(result.branches));
+                        to_object(vertex_map), py::cast(numbers), columns_of(result.branches),
+                        to_object(are_in_junctions), to_object(are_edges_in_junctions),
+                        to_object(std::vector<std::int64_t>(result.face_arcs.begin(), result.face_arcs.end())),
+                        to_object(std::vector<std::int64_t>(are_faces.begin(), are_faces.end())));
 }
 
 void write_skeleton_file(const std::filesystem::path& path,

@@ -87,6 +87,12 @@ def test_files_as_those_of_the_program(tmp_path):
         reeb_graph.skeleton(triangles, points).write(tmp_path / "s.txt")
 
 
+def test_faces_of_a_repaired_copy():
+    triangles, points = TORUS
+    skeleton = reeb_graph.skeleton(np.vstack([triangles, triangles[:1, ::-1]]), points)
+    assert skeleton.face_branches is skeleton.face_in_junction is None
+
+
 @pytest.mark.parametrize("mesh", [TORUS, TUBE, two_parts()])
 def test_branches(tmp_path, mesh):
     triangles, points = mesh
@@ -102,6 +108,11 @@ def test_branches(tmp_path, mesh):
     corners = points[triangles]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
     assert np.isclose(branches["area"].sum(), areas.sum())
+    sums = np.bincount(skeleton.face_branches, areas, minlength=len(skeleton.arcs))
+    assert np.allclose(branches["area"], sums) and skeleton.face_in_junction.shape == (len(triangles),)
+    junctions = np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.points)) > 2
+    assert skeleton.point_in_junction[junctions].all() and skeleton.edge_in_junction.shape == (len(skeleton.edges),)
+    assert skeleton.point_in_junction.any() == skeleton.face_in_junction.any() == junctions.any()
     assert branches["parent"].max() < len(skeleton.arcs) and branches["parent"].min() == -1
     assert branches["component"].max() == skeleton.counts["components"] - 1
     skeleton.write(tmp_path / "s.csv")
