@@ -20,9 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <set>
-#include <tuple>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -68,19 +66,30 @@ private:
 class Polygon_cut
 {
 public:
-  Polygon_cut(const std::vector<Point>& points, Polygons::Polygon polygon, const Taken_edges& taken)
+  // The third vertices are those of the faces beside a border.
+  Polygon_cut(const std::vector<Point>& points,
+              Polygons::Polygon polygon,
+              const Taken_edges& taken,
+              const std::vector<Corner>& third_vertices = {})
     : polygon_(polygon),
       taken_(taken),
       size_(polygon.size())
   {
     double largest = 0;
-    for(const Corner v : polygon)
-      for(int i = 0; i < 3; ++i)
-        largest = std::max(largest, std::abs(points[v][i]));
+    const Polygons::Polygon others(third_vertices.data(), third_vertices.data() + third_vertices.size());
+    for(const Polygons::Polygon& of : {polygon, others})
+      for(const Corner v : of)
+        for(int i = 0; i < 3; ++i)
+          largest = std::max(largest, std::abs(points[v][i]));
     const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
+    const auto scaled = [&](Corner v) {
+      return Vector(std::ldexp(points[v].x(), exponent), std::ldexp(points[v].y(), exponent),
+                    std::ldexp(points[v].z(), exponent));
+    };
     for(const Corner v : polygon)
-      corners_.emplace_back(std::ldexp(points[v].x(), exponent), std::ldexp(points[v].y(), exponent),
-                            std::ldexp(points[v].z(), exponent));
+      corners_.push_back(scaled(v));
+    for(const Corner v : third_vertices)
+      third_points_.push_back(CGAL::ORIGIN + (scaled(v) - corners_[0]));
   }
 
   // Returns none if the polygon cannot be cut.
@@ -94,12 +103,39 @@ public:
     if(size_ == 4)
       return triangles_of_quadrilateral();
     std::vector<Corners> result = triangles_in_plane();
-    const bool is_one_taken = std::any_of(result.begin(), result.end(), [&](const Corners& triangle) {
-      return is_taken(triangle[0], triangle[1]) || is_taken(triangle[1], triangle[2])
-          || is_taken(triangle[0], triangle[2]);
+    return (result.empty() || is_any_taken(result)) && size_ <= most_corners ? triangles_in_space() : result;
+  }
+
+  // Those of CGAL's hole filling, or where a diagonal is there or it finds none, those of least area.
+  std::vector<Corners> triangles_in_space() const
+  {
+    std::vector<CGAL::Reeb_graph::internal::Disc_point> points;
+    for(const Vector& corner : corners_)
+      points.push_back(CGAL::ORIGIN + (corner - corners_[0]));
+    std::vector<Corners> result;
+    auto places = points;
+    std::sort(places.begin(), places.end());
+    if(std::adjacent_find(places.begin(), places.end()) == places.end()) // else a part can be missing
+      result = CGAL::Reeb_graph::internal::triangulate_disc(points, third_points_);
+    if(result.size() + 2 != size_)
+      result.clear();
+    for(Corners& triangle : result)
+      std::sort(triangle.begin(), triangle.end());
+    for(const bool is_free : {true, false})
+      if((result.empty() || (is_free && is_any_taken(result))) && size_ <= most_corners)
+        if(std::vector<Corners> others = CGAL::Reeb_graph::internal::triangulate_disc_without(
+             points, [&](std::size_t i, std::size_t j) { return is_free && is_taken(i, j); });
+           !others.empty())
+          result = std::move(others);
+    return result;
+  }
+
+  // Whether a diagonal is an edge that is there.
+  bool is_any_taken(const std::vector<Corners>& triangles) const
+  {
+    return std::any_of(triangles.begin(), triangles.end(), [&](const Corners& t) {
+      return is_taken(t[0], t[1]) || is_taken(t[1], t[2]) || is_taken(t[0], t[2]);
     });
-    constexpr std::size_t most_corners = 500; // which take a second
-    return (result.empty() || is_one_taken) && size_ <= most_corners ? triangles_in_space() : result;
   }
 
   // Calls visit(u, v) for the diagonals of triangles, some of them twice.
@@ -209,64 +245,13 @@ private:
       }
   }
 
-  // What is least for the best triangles: diagonals that are taken, the sharpest edge between two triangles, the area.
-  typedef std::tuple<std::size_t, double, double> Cost;
-
-  // How much the triangles (i, j, k) and (a, b, c) are bent, from 0 to 2; rounded, so that flat ones differ by area.
-  double bend(const Corners& one, const Corners& other) const
-  {
-    const Vector a = normal(one[0], one[1], one[2]), b = normal(other[0], other[1], other[2]);
-    const double lengths = std::sqrt(a.squared_length()) * std::sqrt(b.squared_length());
-    return lengths > 0 ? std::round((1 - a * b / lengths) * 1e9) / 1e9 : 2;
-  }
-
-  // The best triangles of all that there are, as for holes: G. Barequet, M. Sharir, Filling gaps in the boundary of a
-  // polyhedron, 1995; P. Liepa, Filling holes in meshes, 2003.
-  std::vector<Corners> triangles_in_space() const
-  {
-    const auto place = [&](std::size_t i, std::size_t k) { return i * size_ + k; };
-    std::vector<Cost> costs(size_ * size_, Cost(0, 0, 0));
-    std::vector<std::size_t> middles(size_ * size_, 0); // of the triangle below a diagonal
-    for(std::size_t step = 2; step < size_; ++step)
-      for(std::size_t i = 0, k = step; k < size_; ++i, ++k)
-      {
-        Cost& best = costs[place(i, k)];
-        best = Cost((std::numeric_limits<std::size_t>::max)(), 0, 0);
-        const std::size_t number_taken = is_taken(i, k) ? 1 : 0;
-        for(std::size_t m = i + 1; m < k; ++m)
-        {
-          const Cost &left = costs[place(i, m)], &right = costs[place(m, k)];
-          double bent = std::max(std::get<1>(left), std::get<1>(right));
-          if(m > i + 1)
-            bent = std::max(bent, bend({i, m, k}, {i, middles[place(i, m)], m}));
-          if(m + 1 < k)
-            bent = std::max(bent, bend({i, m, k}, {m, middles[place(m, k)], k}));
-          const double area = std::sqrt(normal(i, m, k).squared_length());
-          const Cost cost(std::get<0>(left) + std::get<0>(right) + number_taken, bent,
-                          std::get<2>(left) + std::get<2>(right) + area);
-          if(cost < best)
-            std::tie(best, middles[place(i, k)]) = std::tie(cost, m);
-        }
-      }
-    std::vector<Corners> result;
-    std::vector<std::pair<std::size_t, std::size_t>> diagonals = {{0, size_ - 1}};
-    while(!diagonals.empty())
-    {
-      const auto [i, k] = diagonals.back();
-      diagonals.pop_back();
-      if(k == i + 1)
-        continue;
-      const std::size_t m = middles[place(i, k)];
-      result.push_back({i, m, k});
-      diagonals.insert(diagonals.end(), {{i, m}, {m, k}});
-    }
-    return result;
-  }
+  static constexpr std::size_t most_corners = 500; // which take a second
 
   Polygons::Polygon polygon_;
   const Taken_edges& taken_;
   std::size_t size_;
   std::vector<Vector> corners_;
+  std::vector<CGAL::Reeb_graph::internal::Disc_point> third_points_; // from the first corner on
 };
 
 struct Border
@@ -310,59 +295,23 @@ std::vector<Border> small_borders(const Polygon_soup& soup, std::size_t most_edg
   return borders;
 }
 
-// The triangles of CGAL's hole filling, by positions on the border, in units in which nothing overflows. None where it
-// finds none, or where one would give an edge to more than two faces.
-std::vector<Corners> fill(const Border& border, const std::vector<Point>& points, Taken_edges& taken)
-{
-  const std::vector<Corner>& vertices = border.vertices;
-  if(vertices.size() == 3)
-    return {{0, 1, 2}};
-  double largest = 0;
-  for(const auto* of : {&border.vertices, &border.third_vertices})
-    for(const Corner v : *of)
-      for(int i = 0; i < 3; ++i)
-        largest = std::max(largest, std::abs(points[v][i] / 2 - points[vertices[0]][i] / 2));
-  const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
-  const auto scaled = [&](const std::vector<Corner>& of) {
-    std::vector<CGAL::Reeb_graph::internal::Disc_point> result;
-    for(const Corner v : of)
-    {
-      const auto along = [&](int i) { return std::ldexp(points[v][i] / 2 - points[vertices[0]][i] / 2, exponent); };
-      result.emplace_back(along(0), along(1), along(2));
-    }
-    return result;
-  };
-  std::vector<Corners> result =
-    CGAL::Reeb_graph::internal::triangulate_disc(scaled(vertices), scaled(border.third_vertices));
-  const auto visit_diagonals = [&](const auto& visit) {
-    for(const Corners& t : result)
-      for(const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
-        if(t[j] - t[i] != 1 && t[j] - t[i] + 1 != vertices.size())
-          visit(vertices[t[i]], vertices[t[j]]);
-  };
-  for(Corners& t : result)
-    std::sort(t.begin(), t.end());
-  bool is_any_taken = false;
-  visit_diagonals([&](Corner u, Corner v) { is_any_taken = is_any_taken || taken.has(u, v); });
-  if(is_any_taken || result.size() + 2 != vertices.size())
-    return {};
-  visit_diagonals([&](Corner u, Corner v) { taken.insert(u, v); });
-  return result;
-}
-
 } // namespace
 
 std::size_t fill_borders(Polygon_soup& soup, std::size_t most_edges, std::vector<std::array<Corner, 2>>& origins)
 {
   const std::vector<Border> borders = small_borders(soup, most_edges);
   Taken_edges taken(soup);
-  for(const Border& border : borders)
+  for(const auto& [v, third_vertices] : borders)
   {
-    const std::vector<Corner>& v = border.vertices;
-    const std::vector<Corners> triangles = fill(border, soup.points, taken);
-    for(const auto& [i, j, k] : triangles)
-      soup.polygons.add(std::array<Corner, 3>{v[i], v[j], v[k]});
-    if(!triangles.empty())
+    const Polygon_cut cut(soup.points, Polygons::Polygon(v.data(), v.data() + v.size()), taken, third_vertices);
+    const std::vector<Corners> triangles = v.size() == 3 ? std::vector<Corners>{{0, 1, 2}} : cut.triangles_in_space();
+    const bool is_filled = !triangles.empty() && !cut.is_any_taken(triangles);
+    for(const Corners& t : is_filled ? triangles : std::vector<Corners>())
+    {
+      soup.polygons.add(std::array<Corner, 3>{v[t[0]], v[t[1]], v[t[2]]});
+      cut.visit_diagonals(t, [&](Corner from, Corner to) { taken.insert(from, to); });
+    }
+    if(is_filled)
       continue;
     const std::size_t center = soup.points.size();
     soup.points.push_back(mean_of(soup.points, v));
