@@ -1,22 +1,27 @@
-# Lets the program write its pages of man, and what shells complete it with, into FOLDER, made anew.
+# Writes pages of man, of what the program prints for --help, and what shells complete it with, into FOLDER, made anew.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER}/man1)
 
-# write_from_program(FILE ARGUMENT...): what the program prints.
-function(write_from_program file)
-  execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${FOLDER}/${file} RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${PROGRAM} ${ARGN} failed")
-  endif()
+foreach(shell bash zsh fish)
+  execute_process(COMMAND ${PROGRAM} --completion ${shell} OUTPUT_FILE ${FOLDER}/reeb_graph.${shell}
+                  COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+
+# write_page(NAME ARGUMENT...): the first line of the help says what NAME is, and what follows stays as it is.
+function(write_page name)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE "\\" "\\e" help "${help}")
+  string(REGEX REPLACE "^([^\n]*)\n(.*)$" ".TH ${name} 1\n.SH NAME\n${name} - \\1\n.SH DESCRIPTION\n.nf\n\\2.fi\n" page
+                       "${help}")
+  string(REPLACE "-" "\\-" page "${page}")
+  file(WRITE ${FOLDER}/man1/${name}.1 "${page}")
 endfunction()
 
-foreach(shell bash zsh fish)
-  write_from_program(reeb_graph.${shell} --completion ${shell})
-endforeach()
-write_from_program(man1/reeb_graph.1 --manual-page reeb_graph)
-file(READ ${FOLDER}/man1/reeb_graph.1 page)
-string(REGEX MATCHALL "reeb_graph.-[a-z]+ [(]1[)]" others "${page}")
-foreach(other IN LISTS others)
-  string(REGEX REPLACE "reeb_graph.-([a-z]+) .*" "\\1" command ${other})
-  write_from_program(man1/reeb_graph-${command}.1 --manual-page ${command})
+write_page(reeb_graph)
+execute_process(COMMAND ${PROGRAM} --help OUTPUT_VARIABLE help)
+string(REGEX REPLACE ".*Subcommands:(.*)\n\nOptions of.*" "\\1" commands "${help}")
+string(REGEX MATCHALL "\n  [a-z]+" commands "${commands}")
+foreach(command IN LISTS commands)
+  string(STRIP "${command}" command)
+  write_page(reeb_graph-${command} ${command})
 endforeach()

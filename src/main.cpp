@@ -11,7 +11,6 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/completion.h"
-#include "commands/manual_page.h"
 #include "output/output_file.h"
 
 #include <CGAL/version.h>
@@ -330,23 +329,6 @@ void add_demo_command(CLI::App& app, Demo_options& options)
   command->callback([&options] { run_demo(options); });
 }
 
-void add_manual_page_option(CLI::App& app)
-{
-  std::vector<std::string> names = {app.get_name()};
-  for(const CLI::App* command : commands_of(app))
-    names.push_back(command->get_name());
-  const auto write = [&app](const std::string& name) {
-    const Manual_page page(std::cout, name == app.get_name() ? app : *app.get_subcommand(name), REEB_GRAPH_VERSION);
-    throw CLI::Success();
-  };
-  app
-    .add_option_function<std::string>(
-      "--manual-page", write,
-      "Print the page of a command, or of reeb_graph, as in: reeb_graph --manual-page compute | man -l -")
-    ->check(CLI::IsMember(names))
-    ->trigger_on_parse();
-}
-
 // Runs the command, or prints the help that is asked for.
 void run_command(CLI::App& app, int argc, char** argv)
 {
@@ -402,7 +384,6 @@ int run(int argc, char** argv)
   add_repair_command(app, repair_options);
   add_skeleton_command(app, skeleton_options);
   add_demo_command(app, demo_options);
-  add_manual_page_option(app);
   // Commands that are added later would have it, too.
   app.footer("Options of a command:\n  reeb_graph compute --help\n");
   add_example(app, "reeb_graph compute scan.ply --field z --html page.html");
