@@ -16,6 +16,7 @@
 #include "input/File_contents.h"
 #include "input/input_error.h"
 #include "input/mesh_formats.h"
+#include "input/number_types.h"
 #include "input/text_input.h"
 
 #include <boost/endian/conversion.hpp>
@@ -109,31 +110,13 @@ std::vector<double> decode_array(const std::string& path, const Npy_array& array
 {
   const std::string kind = array.type.substr(array.type.empty() ? 0 : 1);
   const bool is_reversed = array.type.substr(0, 1) == (is_machine_big_endian() ? "<" : ">");
-  const auto decode_as = [&](auto number) {
-    return decode_all<decltype(number)>(path, array.numbers, count, is_reversed);
-  };
-  if(kind == "f8")
-    return decode_as(double());
-  if(kind == "f4")
-    return decode_as(float());
-  if(kind == "i1")
-    return decode_as(std::int8_t());
-  if(kind == "u1" || kind == "b1")
-    return decode_as(std::uint8_t());
-  if(kind == "i2")
-    return decode_as(std::int16_t());
-  if(kind == "u2")
-    return decode_as(std::uint16_t());
-  if(kind == "i4")
-    return decode_as(std::int32_t());
-  if(kind == "u4")
-    return decode_as(std::uint32_t());
-  if(kind == "i8")
-    return decode_as(std::int64_t());
-  if(kind == "u8")
-    return decode_as(std::uint64_t());
-  throw Input_error(path, "the array has the dtype " + quote(array.type)
-                            + ": it must be one of integers, float32, or float64");
+  std::vector<double> result;
+  if(!call_with_any_number(number_type(npy_spellings, kind), [&](auto number) {
+       result = decode_all<decltype(number)>(path, array.numbers, count, is_reversed);
+     }))
+    throw Input_error(path, "the array has the dtype " + quote(array.type)
+                              + ": it must be one of integers, float32, or float64");
+  return result;
 }
 
 // The numbers of a file of NumPy, one for each vertex: an array of one dimension of floating-point numbers or integers,

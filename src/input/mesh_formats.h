@@ -67,11 +67,9 @@ Polygon_soup read_obj(const std::string& path);
 // PLY, ASCII or binary of any byte order. `vertex_property` is the name of a property of the vertices that becomes
 // Polygon_soup::scalars, or empty.
 Polygon_soup read_ply(const std::string& path, const std::string& vertex_property);
-// The numbers that a PLY file has for each vertex besides its point, as properties of the surface that has been read
-// from it. The field, which is named scalar, is none of them.
-std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface);
 
-// The same of a PLY or VTK file, none for others.
+// The numbers that a PLY or VTK file has for each vertex besides its point, as properties of the surface that has been
+// read from it; none of other files. The field, which is named scalar, is none of them.
 std::vector<Any_vertex_property> read_vertex_properties(const std::string& path, Surface& surface);
 
 // The names of what a PLY or VTK file has for its vertices and faces that is not kept in another file: fields of vertices

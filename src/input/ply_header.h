@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_PLY_HEADER_H
 
 #include "input/File_contents.h"
+#include "input/number_types.h"
 #include "input/text_input.h"
 
 #include <algorithm>
@@ -31,26 +32,13 @@ enum class Format
   BINARY_BIG_ENDIAN
 };
 
-enum class Type
-{
-  INT8,
-  UINT8,
-  INT16,
-  UINT16,
-  INT32,
-  UINT32,
-  FLOAT32,
-  FLOAT64,
-  NONE
-};
-
 struct Property
 {
-  Type list_size_type = Type::NONE; // NONE if the property is a single number
-  Type type = Type::NONE;
+  Number_type list_size_type = Number_type::NONE; // NONE if the property is a single number
+  Number_type type = Number_type::NONE;
   std::string name;
 
-  bool is_list() const { return list_size_type != Type::NONE; }
+  bool is_list() const { return list_size_type != Number_type::NONE; }
 };
 
 struct Element
@@ -78,26 +66,7 @@ struct Header
   std::vector<Element> elements;
 };
 
-inline bool is_integer(Type type) { return type < Type::FLOAT32; }
-
-// Calls the function with a number of the type.
-template <class Function>
-auto call_with_number(Type type, const Function& function)
-{
-  switch(type)
-  {
-  case Type::INT8: return function(std::int8_t(0));
-  case Type::UINT8: return function(std::uint8_t(0));
-  case Type::INT16: return function(std::int16_t(0));
-  case Type::UINT16: return function(std::uint16_t(0));
-  case Type::INT32: return function(std::int32_t(0));
-  case Type::UINT32: return function(std::uint32_t(0));
-  case Type::FLOAT32: return function(float(0));
-  default: return function(double(0));
-  }
-}
-
-inline std::size_t size_in_bytes(Type type)
+inline std::size_t size_in_bytes(Number_type type)
 {
   return call_with_number(type, [](auto number) { return sizeof(number); });
 }
@@ -130,7 +99,7 @@ inline std::size_t offset_in_record(const Element& element, std::size_t place)
   return offset;
 }
 
-inline double decode_number(Type type, const char* bytes, bool is_reversed)
+inline double decode_number(Number_type type, const char* bytes, bool is_reversed)
 {
   return call_with_number(type, [&](auto n) -> double { return decode<decltype(n)>(bytes, is_reversed); });
 }
@@ -149,7 +118,7 @@ public:
 
 private:
   std::size_t offset_;
-  Type type_;
+  Number_type type_;
   bool is_reversed_;
 };
 
@@ -167,7 +136,7 @@ public:
   }
 
   // Each number of these types is a double as well.
-  double read(Type type)
+  double read(Number_type type)
   {
     if(format_ == Format::ASCII)
       return read_word(type);
@@ -228,7 +197,7 @@ public:
   }
 
 private:
-  double read_word(Type type)
+  double read_word(Number_type type)
   {
     const std::string_view word = input_.word_of_file();
     return call_with_number(type, [&](auto n) -> double { return input_.number<decltype(n)>(word); });

@@ -10,9 +10,9 @@
 #include "base/threads.h"
 #include "input/File_contents.h"
 #include "input/mesh_formats.h"
+#include "input/number_types.h"
 #include "input/ply_header.h"
 #include "input/text_input.h"
-#include "input/vtk_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -31,30 +31,13 @@
 namespace reeb_graph_program {
 namespace ply {
 namespace {
-Type read_type(Text_input& input)
+Number_type read_type(Text_input& input)
 {
-  typedef std::pair<std::string_view, Type> Named_type;
-  static constexpr std::array<Named_type, 16> types = {{{"char", Type::INT8},
-                                                        {"int8", Type::INT8},
-                                                        {"uchar", Type::UINT8},
-                                                        {"uint8", Type::UINT8},
-                                                        {"short", Type::INT16},
-                                                        {"int16", Type::INT16},
-                                                        {"ushort", Type::UINT16},
-                                                        {"uint16", Type::UINT16},
-                                                        {"int", Type::INT32},
-                                                        {"int32", Type::INT32},
-                                                        {"uint", Type::UINT32},
-                                                        {"uint32", Type::UINT32},
-                                                        {"float", Type::FLOAT32},
-                                                        {"float32", Type::FLOAT32},
-                                                        {"double", Type::FLOAT64},
-                                                        {"float64", Type::FLOAT64}}};
   const std::string_view word = input.word_of_line();
-  const auto type = std::find_if(types.begin(), types.end(), [&](const Named_type& t) { return t.first == word; });
-  if(type == types.end())
+  const Number_type type = number_type(ply_spellings, word);
+  if(type == Number_type::NONE)
     input.fail(quote(word) + " is not a type of a property");
-  return type->second;
+  return type;
 }
 
 Format read_format(Text_input& input)
@@ -158,19 +141,6 @@ using ply::Data;
 using ply::Element;
 using ply::Property;
 
-template <class Number>
-Vertex_property<Number> add_property(Surface& surface, const std::string& name)
-{
-  return surface.add_property_map<Surface::Vertex_index, Number>("v:" + name).first;
-}
-
-Any_vertex_property add_property(Surface& surface, const Property& property)
-{
-  return ply::call_with_number(property.type, [&](auto number) -> Any_vertex_property {
-    return add_property<decltype(number)>(surface, property.name);
-  });
-}
-
 // Names of what is read otherwise, and those that the surface has for other types, or for its field.
 std::set<std::string> other_names(const Surface& surface)
 {
@@ -184,7 +154,7 @@ std::set<std::string> other_names(const Surface& surface)
 Any_vertex_property add_property(Surface& surface, const Vertex_field& field)
 {
   const auto add = [&](auto number) -> Any_vertex_property {
-    const auto map = add_property<decltype(number)>(surface, field.name);
+    const auto map = surface.add_property_map<Surface::Vertex_index, decltype(number)>("v:" + field.name).first;
     for(std::size_t v = 0; v < field.numbers.size(); ++v)
       map[Surface::Vertex_index(static_cast<Surface::size_type>(v))] = static_cast<decltype(number)>(field.numbers[v]);
     set_added_vertices(surface, map);
@@ -205,48 +175,14 @@ Any_vertex_property add_property(Surface& surface, const Vertex_field& field)
   return property;
 }
 
-void read_vertex_properties(const Element& element,
-                            Data& data,
-                            Surface& surface,
-                            std::vector<Any_vertex_property>& result)
-{
-  std::set<std::string> names = other_names(surface);
-  std::vector<std::optional<Any_vertex_property>> maps;
-  for(const Property& property : element.properties)
-  {
-    const bool is_kept = !property.is_list() && names.insert(property.name).second;
-    maps.push_back(is_kept ? std::make_optional(add_property(surface, property)) : std::nullopt);
-  }
-  std::vector<double> numbers;
-  const std::size_t number_of_vertices = number_of_given_vertices(surface);
-  for(std::size_t i = 0; i < number_of_vertices; ++i)
-    for(std::size_t j = 0; j < maps.size(); ++j)
-    {
-      const Surface::Vertex_index v(static_cast<Surface::size_type>(i));
-      data.read(element.properties[j], numbers);
-      const auto store = [&](const auto& map) {
-        map[v] = static_cast<typename std::decay_t<decltype(map)>::value_type>(numbers.front());
-      };
-      if(maps[j])
-        std::visit(store, *maps[j]);
-    }
-  for(const auto& map : maps)
-    if(map)
-    {
-      std::visit([&](const auto& numbers_of_map) { set_added_vertices(surface, numbers_of_map); }, *map);
-      result.push_back(*map);
-    }
-}
-
-} // namespace
-
-std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& path, Surface& surface)
+// Those of the first vertices that the file has.
+std::vector<Vertex_field> read_ply_fields(const std::string& path)
 {
   const File_contents file(path);
   Text_input input(path, file.text());
   const ply::Header header = ply::read_header(input);
   Data data(input, header.format);
-  std::vector<Any_vertex_property> properties;
+  std::vector<Vertex_field> fields;
   for(const Element& element : header.elements)
   {
     if(!element.is_vertex())
@@ -254,23 +190,36 @@ std::vector<Any_vertex_property> read_ply_vertex_properties(const std::string& p
       data.skip(element);
       continue;
     }
-    read_vertex_properties(element, data, surface, properties);
+    std::vector<double> numbers;
+    for(const Property& property : element.properties)
+      if(!property.is_list())
+        fields.push_back({property.name, std::string(xml_spellings[0][std::size_t(property.type)]), {}});
+    for(std::size_t i = 0; i < element.number; ++i)
+    {
+      auto field = fields.begin();
+      for(const Property& property : element.properties)
+      {
+        data.read(property, numbers);
+        if(!property.is_list())
+          (field++)->numbers.push_back(numbers.front());
+      }
+    }
     break;
   }
-  return properties;
+  return fields;
 }
+
+} // namespace
 
 std::vector<Any_vertex_property> read_vertex_properties(const std::string& path, Surface& surface)
 {
   const std::string extension = lower_case_extension(path);
-  if(extension == ".ply")
-    return read_ply_vertex_properties(path, surface);
   std::vector<Any_vertex_property> properties;
-  if(extension != ".vtk" && extension != ".vtu" && extension != ".vtp")
+  if(extension != ".ply" && extension != ".vtk" && extension != ".vtu" && extension != ".vtp")
     return properties;
   std::set<std::string> names = other_names(surface);
   Field_names unused;
-  for(const Vertex_field& field : read_vtk_fields(path, unused))
+  for(const Vertex_field& field : extension == ".ply" ? read_ply_fields(path) : read_vtk_fields(path, unused))
     if(names.insert(field.name).second)
       properties.push_back(add_property(surface, field));
   return properties;
@@ -395,7 +344,7 @@ bool read_triangle_records(const Element& element, std::size_t place, Data& data
         are_triangles = false;
     });
   };
-  ply::call_with_number(list.type, read_all);
+  call_with_number(list.type, read_all);
   if(are_triangles)
     data.skip(records);
   else
@@ -475,7 +424,7 @@ void read_polygons(Text_input& input, const Element& element, Data& data, Polygo
 void read_strips(Text_input& input, const Element& element, Data& data, Polygons& polygons)
 {
   const std::size_t place = find_vertices(input, element, "strips of triangles");
-  const double end_of_strip = element.properties[place].type == ply::Type::UINT32 ? 4294967295. : -1;
+  const double end_of_strip = element.properties[place].type == Number_type::UINT32 ? 4294967295. : -1;
   std::vector<double> numbers;
   std::vector<Corner> strip;
   for(std::size_t i = 0; i < element.number; ++i)

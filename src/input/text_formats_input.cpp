@@ -29,6 +29,18 @@ struct Off_header
   std::size_t faces = 0;
 };
 
+// The next word that is not in a comment; words may be on any line.
+std::string_view next_word_of_file(Text_input& input)
+{
+  std::string_view word = input.word_of_line();
+  while(word.empty() && input.next_line())
+  {
+    input.remove_comment('#');
+    word = input.word_of_line();
+  }
+  return word;
+}
+
 // Goes to the next line that has a word.
 bool next_line_of_words(Text_input& input)
 {
@@ -41,18 +53,10 @@ bool next_line_of_words(Text_input& input)
   return false;
 }
 
-std::string_view next_word_of_header(Text_input& input)
-{
-  std::string_view word = input.word_of_line();
-  while(word.empty() && next_line_of_words(input))
-    word = input.word_of_line();
-  return word;
-}
-
 // The number of coordinates that the first word of the file says.
 std::size_t read_keyword(Text_input& input)
 {
-  std::string_view keyword = next_word_of_header(input);
+  std::string_view keyword = next_word_of_file(input);
   const auto remove = [&](std::string_view prefix) {
     const bool is_there = keyword.substr(0, prefix.size()) == prefix;
     keyword.remove_prefix(is_there ? prefix.size() : 0);
@@ -71,12 +75,12 @@ Off_header read_header(Text_input& input)
 {
   Off_header header;
   header.coordinates = read_keyword(input);
-  const std::string_view word = next_word_of_header(input);
+  const std::string_view word = next_word_of_file(input);
   if(word == "BINARY")
     input.fail("binary OFF files are not read");
   header.vertices = input.number<std::size_t>(word);
-  header.faces = input.number<std::size_t>(next_word_of_header(input));
-  input.number<std::size_t>(next_word_of_header(input)); // of edges
+  header.faces = input.number<std::size_t>(next_word_of_file(input));
+  input.number<std::size_t>(next_word_of_file(input)); // of edges
   if(!input.word_of_line().empty())
     input.fail("there is more than the numbers of vertices, faces and edges");
   return header;
@@ -379,18 +383,6 @@ Polygon_soup read_ts(const std::string& path)
 }
 
 namespace {
-// The next word that is not in a comment; words may be on any line.
-std::string_view next_word_of_file(Text_input& input)
-{
-  std::string_view word = input.word_of_line();
-  while(word.empty() && input.next_line())
-  {
-    input.remove_comment('#');
-    word = input.word_of_line();
-  }
-  return word;
-}
-
 template <class Number>
 Number next_number(Text_input& input)
 {
@@ -437,23 +429,13 @@ Point next_point(Text_input& input)
 // How many numbers each entry has of a section that says nothing of the complex; 0 if there is no such section.
 std::size_t numbers_per_entry(std::string_view section)
 {
-  constexpr std::array<std::pair<std::string_view, std::size_t>, 14> sections = {{{"Corners", 1},
-                                                                                  {"Ridges", 1},
-                                                                                  {"RequiredVertices", 1},
-                                                                                  {"RequiredEdges", 1},
-                                                                                  {"RequiredTriangles", 1},
-                                                                                  {"RequiredQuadrilaterals", 1},
-                                                                                  {"RequiredTetrahedra", 1},
-                                                                                  {"Normals", 3},
-                                                                                  {"NormalAtVertices", 2},
-                                                                                  {"NormalAtTriangleVertices", 3},
-                                                                                  {"NormalAtQuadrilateralVertices", 3},
-                                                                                  {"Tangents", 3},
-                                                                                  {"TangentAtVertices", 2},
-                                                                                  {"TangentAtEdges", 3}}};
-  const auto found =
-    std::find_if(sections.begin(), sections.end(), [&](const auto& entry) { return entry.first == section; });
-  return found == sections.end() ? 0 : found->second;
+  constexpr std::array<std::string_view, 7> one = {
+    "Corners",           "Ridges", "RequiredVertices", "RequiredEdges", "RequiredTriangles", "RequiredQuadrilaterals",
+    "RequiredTetrahedra"};
+  constexpr std::array<std::string_view, 2> two = {"NormalAtVertices", "TangentAtVertices"};
+  constexpr std::array<std::string_view, 5> three = {"Normals", "NormalAtTriangleVertices",
+                                                     "NormalAtQuadrilateralVertices", "Tangents", "TangentAtEdges"};
+  return is_one_of(one, section) ? 1 : is_one_of(two, section) ? 2 : is_one_of(three, section) ? 3 : 0;
 }
 
 void read_section(Text_input& input, const std::string& section, Polygon_soup& soup)

@@ -11,8 +11,8 @@
 #include "input/File_contents.h"
 #include "input/input_error.h"
 #include "input/mesh_formats.h"
+#include "input/number_types.h"
 #include "input/text_input.h"
-#include "input/vtk_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -47,17 +47,9 @@ enum Cell_type : std::size_t
 
 // The least and the largest number of corners of each type.
 constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
-constexpr std::array<std::pair<std::size_t, std::size_t>, TETRA + 1> corner_counts = {{{0, 0},
-                                                                                       {1, 1},
-                                                                                       {0, any_number},
-                                                                                       {2, 2},
-                                                                                       {0, any_number},
-                                                                                       {3, 3},
-                                                                                       {0, any_number},
-                                                                                       {0, any_number},
-                                                                                       {4, 4},
-                                                                                       {4, 4},
-                                                                                       {4, 4}}};
+constexpr std::array<std::size_t, TETRA + 1> least_corners = {0, 1, 0, 2, 0, 3, 0, 0, 4, 4, 4};
+constexpr std::array<std::size_t, TETRA + 1> most_corners = {0,          1,          any_number, 2, any_number, 3,
+                                                             any_number, any_number, 4,          4, 4};
 
 // Types that files often have.
 std::string name_of_type(std::size_t type)
@@ -85,9 +77,8 @@ void add_cell(const std::string& path,
               std::size_t first_vertex,
               Polygon_soup& soup)
 {
-  const auto [least, most] = corner_counts.at(type); // types have been checked
   const auto size = static_cast<std::size_t>(vertices.end() - vertices.begin());
-  if(size < least || size > most)
+  if(size < least_corners.at(type) || size > most_corners.at(type)) // types have been checked
     throw Input_error(path, "a cell of type " + std::to_string(type) + " of VTK cannot have " + std::to_string(size)
                               + " vertices");
   const auto v = [&](std::size_t i) { return corner(first_vertex + vertices.begin()[i]); };

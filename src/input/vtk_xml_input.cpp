@@ -9,9 +9,9 @@
 #include "base/threads.h"
 #include "input/input_error.h"
 #include "input/mesh_formats.h"
+#include "input/number_types.h"
 #include "input/text_input.h"
 #include "input/vtk_input.h"
-#include "input/vtk_numbers.h"
 
 #include <zlib.h>
 

@@ -300,7 +300,7 @@ void read_vertices(const Communicator& communicator,
 struct Polygon_place
 {
   std::size_t offset;
-  ply::Type size_type, type;
+  Number_type size_type, type;
   bool is_reversed;
 };
 
@@ -341,14 +341,14 @@ void read_faces(const Communicator& communicator,
 {
   const ply::Element& element = *layout.faces();
   const std::size_t i = find_polygon(element);
-  if(i == element.properties.size() || !element.properties[i].is_list() || !ply::is_integer(element.properties[i].type))
+  if(i == element.properties.size() || !element.properties[i].is_list() || !is_integer(element.properties[i].type))
     layout.fail("the faces have no list of vertices");
   const ply::Property& property = element.properties[i];
   const Polygon_place place = {ply::offset_in_record(element, i), property.list_size_type, property.type,
                                layout.is_reversed()};
   const Part part = part_of_rank(communicator, element.number);
   run_together(communicator, [&] {
-    ply::call_with_number(property.type, [&](auto index) {
+    call_with_number(property.type, [&](auto index) {
       if constexpr(std::is_integral_v<decltype(index)>)
         read_triangles<decltype(index)>(path, file, layout.face_records(), part, place, mesh);
     });
