@@ -10,7 +10,7 @@
 #include "input/mesh_formats.h"
 #include "input/text_input.h"
 
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +20,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -27,51 +28,27 @@ namespace reeb_graph_program {
 namespace {
 constexpr std::size_t header_size = 84, facet_size = 50;
 
-// Gives corners at the same point the same vertex.
+// Gathers the corners of facets. Those at the same place are one vertex.
 class Corner_collector
 {
 public:
   void add_corner(const Point& point)
   {
-    make_room(1);
-    add_corner(point, first_place(point));
+    const auto vertex = static_cast<Corner>(soup_.points.size());
+    const auto [place, is_new] =
+      vertices_.try_emplace({bits_of(point.x()), bits_of(point.y()), bits_of(point.z())}, vertex);
+    if(is_new)
+      soup_.points.push_back(point);
+    soup_.polygons.add_corner(place->second);
     ++number_of_corners_;
-  }
-
-  // Adds facets, each by its three corners. All are looked up in turns, each of which fetches what the next one reads.
-  template <std::size_t size>
-  void add_facets(const std::array<Point, size>& corners, std::size_t number_of_facets)
-  {
-    using CGAL::Reeb_graph::internal::prefetch;
-    const std::size_t number = 3 * number_of_facets;
-    std::array<std::size_t, size> places;
-    make_room(number);
-    for(std::size_t i = 0; i < number; ++i)
-    {
-      places[i] = first_place(corners[i]);
-      prefetch(&table_[places[i]]);
-    }
-    for(std::size_t i = 0; i < number; ++i)
-      if(table_[places[i]] != too_large_corner)
-        prefetch(&soup_.points[table_[places[i]]]);
-    for(std::size_t i = 0; i < number; ++i)
-    {
-      add_corner(corners[i], places[i]);
-      if(i % 3 == 2)
-        soup_.polygons.end_polygon();
-    }
   }
 
   // Makes room for as many facets as a closed surface has.
   void reserve(std::size_t number_of_facets)
   {
-    const std::size_t number_of_points = number_of_facets / 2 + 2;
-    soup_.points.reserve(number_of_points);
+    vertices_.reserve(number_of_facets / 2 + 2);
+    soup_.points.reserve(number_of_facets / 2 + 2);
     soup_.polygons.reserve(number_of_facets);
-    std::size_t size = 1;
-    while(size < places_per_point * number_of_points)
-      size *= 2;
-    grow(size);
   }
 
   void end_facet()
@@ -84,19 +61,7 @@ public:
   Polygon_soup& soup() { return soup_; }
 
 private:
-  // At least. Few corners meet another point first, which is not the one that has been fetched.
-  static constexpr std::size_t places_per_point = 4;
-
-  void add_corner(const Point& point, std::size_t first_place)
-  {
-    Corner& vertex = table_[find(point, first_place)];
-    if(vertex == too_large_corner)
-    {
-      vertex = static_cast<Corner>(soup_.points.size());
-      soup_.points.push_back(point);
-    }
-    soup_.polygons.add_corner(vertex);
-  }
+  typedef std::array<std::uint64_t, 3> Bits; // of coordinates: what is no number, too, is the same as itself
 
   // The bits of a number, the same ones for 0 and -0.
   static std::uint64_t bits_of(double number)
@@ -107,45 +72,7 @@ private:
     return bits;
   }
 
-  static std::uint64_t mix(std::uint64_t seed, double number)
-  {
-    seed = (seed ^ bits_of(number)) * 0x9e3779b97f4a7c15U;
-    return seed ^ (seed >> 32U);
-  }
-
-  // Coordinates that are no numbers, too, are the same as themselves.
-  static bool is_same(const Point& a, const Point& b)
-  {
-    return bits_of(a.x()) == bits_of(b.x()) && bits_of(a.y()) == bits_of(b.y()) && bits_of(a.z()) == bits_of(b.z());
-  }
-
-  std::size_t first_place(const Point& point) const
-  {
-    return mix(mix(mix(0, point.x()), point.y()), point.z()) & (table_.size() - 1);
-  }
-
-  // The place of the vertex at the point, or a free one. Linear probing ends, as most places are free.
-  std::size_t find(const Point& point, std::size_t place) const
-  {
-    while(table_[place] != too_large_corner && !is_same(soup_.points[table_[place]], point))
-      place = (place + 1) & (table_.size() - 1);
-    return place;
-  }
-
-  void make_room(std::size_t number_of_points)
-  {
-    if(places_per_point * (soup_.points.size() + number_of_points) > table_.size())
-      grow(2 * table_.size());
-  }
-
-  void grow(std::size_t size)
-  {
-    table_.assign(std::max<std::size_t>(size, 1024), too_large_corner); // a power of two
-    for(std::size_t v = 0; v < soup_.points.size(); ++v)
-      table_[find(soup_.points[v], first_place(soup_.points[v]))] = static_cast<Corner>(v);
-  }
-
-  std::vector<Corner> table_;
+  std::unordered_map<Bits, Corner, boost::hash<Bits>> vertices_;
   Polygon_soup soup_;
   std::size_t number_of_corners_ = 0; // of the facet that has not ended
 };
@@ -196,14 +123,11 @@ Polygon_soup read_binary(std::string_view bytes, std::size_t number_of_facets)
     return Point(decode_little_endian<float>(begin), decode_little_endian<float>(begin + 4),
                  decode_little_endian<float>(begin + 8));
   };
-  constexpr std::size_t most_facets = 64; // whose corners are in the nearest cache until they are added
-  std::array<Point, 3 * most_facets> corners;
-  for(std::size_t begin = 0; begin < number_of_facets; begin += most_facets)
+  for(std::size_t facet = 0; facet < number_of_facets; ++facet)
   {
-    const std::size_t number = std::min(most_facets, number_of_facets - begin);
-    for(std::size_t i = 0; i < 3 * number; ++i)
-      corners[i] = point(begin + i / 3, i % 3);
-    collector.add_facets(corners, number);
+    for(std::size_t corner = 0; corner < 3; ++corner)
+      collector.add_corner(point(facet, corner));
+    collector.end_facet();
   }
   return std::move(collector.soup());
 }
