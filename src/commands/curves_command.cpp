@@ -122,13 +122,13 @@ void note_lost_maps(const Curves_options& options, const Cut_result& result, Not
 void write_files(const Curves_options& options, const Surface& surface, const Cut_result& result, Notes& notes)
 {
   if(!options.vertex_map_path.empty())
-    write_integers(options.vertex_map_path, {result.original_map->begin(), result.original_map->end()});
+    write_numbers<std::int64_t>(options.vertex_map_path, {result.original_map->begin(), result.original_map->end()});
   if(!options.curves_path.empty() && !are_arcs_written(options))
     write_polylines(options.curves_path, result.polylines);
   if(!options.cut_mesh_path.empty())
     write_surface_with_patches(options.cut_mesh_path, surface, result.patch_map, notes);
   if(!options.patches_path.empty())
-    write_integers(options.patches_path, {result.patch_map.begin(), result.patch_map.end()});
+    write_numbers<std::int64_t>(options.patches_path, {result.patch_map.begin(), result.patch_map.end()});
   if(!options.pieces_path.empty())
     write_pieces(options.pieces_path, surface, {result.patch_map.begin(), result.patch_map.end()});
 }
@@ -168,10 +168,7 @@ void write_page_of_curves(const Curves_options& options,
 void write_page_of_disks(const Curves_options& options, Mesh& whole, const Cut_result& result, Curves_report& report)
 {
   const Scalar_map scalar_map = whole.surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
-  Graph_options graph_options = options.graph;
-  graph_options.are_places_wanted = true;
-  Report unused;
-  const auto graph = compute_mesh_graph(whole, scalar_map, graph_options, {}, 0, unused);
+  const auto graph = compute_mesh_graph(whole, scalar_map, options.graph);
   write_page_of_curves(options, scalar_map, *graph, result.polylines, std::nullopt, report);
 }
 

@@ -80,10 +80,7 @@ void write_page_of_loops(const Handles_options& options,
                          const Loops_of_surface& loops,
                          const std::string& field)
 {
-  Graph_options graph_options;
-  graph_options.are_places_wanted = true;
-  Report unused;
-  const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
+  const auto graph = compute_mesh_graph(mesh, scalar_map, Graph_options());
   Page_request request = {scalar_map, *graph, name_of_input(options.input.mesh_path), {field, options.unit}};
   request.up = options.up;
   request.curves = loops.polylines;

@@ -139,7 +139,7 @@ void run_repair(const Repair_command_options& options)
   for(const std::string& path : options.output_paths)
     write_surface(path, surface, report.notes);
   if(!options.map_path.empty())
-    write_integers(options.map_path, map_of(result.new_vertices));
+    write_numbers(options.map_path, map_of(result.new_vertices));
   files.put_in_place();
   report.add_seconds("output", output_stopwatch.seconds());
   write_report(options.is_report_json, outputs, report);

@@ -560,22 +560,19 @@ std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh,
   return compute(static_cast<const Complex_kind<Soup_augmentation>*>(nullptr));
 }
 
+std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh, Scalar_map scalar_map, Graph_options options)
+{
+  options.are_places_wanted = true;
+  Report unused;
+  return compute_mesh_graph(mesh, scalar_map, options, {}, 0, unused);
+}
+
 namespace {
 bool has_ties(Scalar_map scalar_map)
 {
   std::vector<double> values(scalar_map.begin(), scalar_map.end());
   std::sort(values.begin(), values.end());
   return std::adjacent_find(values.begin(), values.end()) != values.end();
-}
-
-std::unique_ptr<Mesh_graph> compute_without_degree_two_nodes(const Mesh& mesh,
-                                                             Scalar_map scalar_map,
-                                                             Graph_options options)
-{
-  options.are_degree_two_nodes_kept = false;
-  options.are_places_wanted = true;
-  Report unused;
-  return compute_mesh_graph(mesh, scalar_map, options, {}, 0, unused);
 }
 
 } // namespace
@@ -589,9 +586,10 @@ Simplified_field compute_simplified_field(const Mesh& mesh,
 {
   namespace parameters = CGAL::parameters;
   typedef CGAL::Reeb_graph::Ties Ties;
-  const std::unique_ptr<Mesh_graph> other = graph_options.are_degree_two_nodes_kept
-                                            ? compute_without_degree_two_nodes(mesh, scalar_map, graph_options)
-                                            : nullptr;
+  Graph_options without_degree_two = graph_options;
+  without_degree_two.are_degree_two_nodes_kept = false;
+  const std::unique_ptr<Mesh_graph> other =
+    graph_options.are_degree_two_nodes_kept ? compute_mesh_graph(mesh, scalar_map, without_degree_two) : nullptr;
   Mesh_graph& given = other ? *other : graph;
   const auto leaves = parameters::number_of_leaves(simplification.number_of_leaves.value_or(0));
   const auto simplify_given = [&](Ties ties) {

@@ -118,6 +118,9 @@ std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh,
                                                double threshold,
                                                Report& report);
 
+// The same of the whole graph, with the places of the vertices.
+std::unique_ptr<Mesh_graph> compute_mesh_graph(const Mesh& mesh, Scalar_map scalar_map, Graph_options options);
+
 // N levels between the least and the greatest value, which they cut into N + 1 equal steps.
 std::vector<double> equal_steps(std::size_t number_of_levels, Scalar_map scalar_map);
 

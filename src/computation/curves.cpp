@@ -35,6 +35,22 @@ namespace reeb_graph_program {
 namespace {
 typedef CGAL::Reeb_graph::Curve<Surface::Halfedge_index> Curve;
 
+CGAL::Reeb_graph::Interpolating_visitor<Surface> make_visitor(const std::vector<Any_vertex_property>& properties)
+{
+  CGAL::Reeb_graph::Interpolating_visitor<Surface> visitor;
+  for(const Any_vertex_property& property : properties)
+    std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
+  return visitor;
+}
+
+void add_curves(const Surface& surface, const std::vector<Curve>& curves, Cut_result& result)
+{
+  for(const Curve& curve : curves)
+    result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, curve));
+  for(const Surface::Face_index f : surface.faces())
+    result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);
+}
+
 std::vector<Curve> find_curves(Surface& surface,
                                Scalar_map scalar_map,
                                const std::vector<Any_vertex_property>& properties,
@@ -44,9 +60,7 @@ std::vector<Curve> find_curves(Surface& surface,
 {
   namespace parameters = CGAL::parameters;
   std::vector<Curve> curves;
-  CGAL::Reeb_graph::Interpolating_visitor<Surface> visitor;
-  for(const Any_vertex_property& property : properties)
-    std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
+  const auto visitor = make_visitor(properties);
   Progress_bar progress_bar("cut");
   const auto tell = [&](std::size_t number_of_faces) {
     progress_bar.clear();
@@ -90,16 +104,12 @@ Cut_result cut_along_curves(Surface& surface,
       CGAL::Reeb_graph::make_borders_level(surface, scalar_map, CGAL::parameters::callback(std::ref(progress_bar)));
   }
   result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
-  for(const Curve& curve : find_curves(surface, scalar_map, properties, options, face_count_callback, result.patch_map))
-    result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, curve));
-  for(const Surface::Face_index f : surface.faces())
-    result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);
+  add_curves(surface, find_curves(surface, scalar_map, properties, options, face_count_callback, result.patch_map),
+             result);
   return result;
 }
 
 namespace {
-typedef CGAL::Reeb_graph::Curve<Surface::Halfedge_index> Curve;
-
 // The multiples of a distance that are inside of the range of the field.
 std::vector<double> multiples(double spacing, Scalar_map scalar_map)
 {
@@ -122,22 +132,6 @@ std::vector<double> multiples(double spacing, Scalar_map scalar_map)
       levels.push_back(level);
   }
   return levels;
-}
-
-CGAL::Reeb_graph::Interpolating_visitor<Surface> make_visitor(const std::vector<Any_vertex_property>& properties)
-{
-  CGAL::Reeb_graph::Interpolating_visitor<Surface> visitor;
-  for(const Any_vertex_property& property : properties)
-    std::visit([&](const auto& map) { visitor.add_vertex_map(map); }, property);
-  return visitor;
-}
-
-void add_curves(const Surface& surface, const std::vector<Curve>& curves, Cut_result& result)
-{
-  for(const Curve& curve : curves)
-    result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, curve));
-  for(const Surface::Face_index f : surface.faces())
-    result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);
 }
 
 // Finds an edge beside a curve, one that leads up if there is any.

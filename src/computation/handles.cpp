@@ -58,19 +58,12 @@ double size_in_units(const std::optional<Threshold>& size, const Surface& surfac
     return std::numeric_limits<double>::infinity();
   if(!size->is_percentage)
     return size->number;
-  std::array<double, 3> extents = {};
-  for(int k = 0; k != 3; ++k)
-  {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for(const Surface::Vertex_index v : surface.vertices())
-      if(!surface.is_isolated(v))
-      {
-        low = (std::min)(low, surface.point(v)[k]);
-        high = (std::max)(high, surface.point(v)[k]);
-      }
-    extents[static_cast<std::size_t>(k)] = (std::max)(high - low, 0.);
-  }
-  return size->number / 100 * CGAL::Reeb_graph::internal::length_of(extents[0], extents[1], extents[2]);
+  CGAL::Bbox_3 box;
+  for(const Surface::Vertex_index v : surface.vertices())
+    if(!surface.is_isolated(v))
+      box += surface.point(v).bbox();
+  const auto extent = [&](int axis) { return (std::max)(box.max(axis) - box.min(axis), 0.); };
+  return size->number / 100 * CGAL::Reeb_graph::internal::length_of(extent(0), extent(1), extent(2));
 }
 
 void write_coordinate(const Surface& surface, Scalar_map scalar_map, int coordinate)

@@ -38,8 +38,17 @@
 
 namespace reeb_graph_program {
 namespace {
+typedef Surface::Vertex_index Vertex;
 typedef std::vector<std::pair<std::size_t, std::size_t>> Edges;
 constexpr std::size_t no_vertex = static_cast<std::size_t>(-1);
+
+Vertex vertex(const Surface& surface, std::size_t number)
+{
+  if(number >= surface.number_of_vertices())
+    throw std::runtime_error("there is no vertex " + std::to_string(number) + ": the mesh has "
+                             + std::to_string(surface.number_of_vertices()) + ", numbered from 0");
+  return Vertex(static_cast<Surface::size_type>(number));
+}
 
 struct Length
 {
@@ -127,9 +136,7 @@ std::vector<std::size_t> compute_distances_along_edges(const Mesh& mesh,
 {
   const Surface& surface = mesh.surface;
   for(const std::size_t source : sources)
-    if(source >= surface.number_of_vertices())
-      throw std::runtime_error("there is no vertex " + std::to_string(source) + ": the mesh has "
-                               + std::to_string(surface.number_of_vertices()) + ", numbered from 0");
+    vertex(surface, source);
   const Edges edges = directed_edges(*mesh.complex);
   if(sources.empty())
     sources = far_sources(surface, edges);
@@ -145,15 +152,15 @@ std::vector<std::size_t> compute_distances_along_edges(const Mesh& mesh,
 }
 
 namespace {
-typedef Surface::Vertex_index Vertex;
 typedef CGAL::Reeb_graph::Field_report Field_report;
 
-Vertex vertex(const Surface& surface, std::size_t number)
+std::vector<std::pair<Vertex, Vertex>> far_apart_vertices(const Surface& surface)
 {
-  if(number >= surface.number_of_vertices())
-    throw std::runtime_error("there is no vertex " + std::to_string(number) + ": the mesh has "
-                             + std::to_string(surface.number_of_vertices()) + ", numbered from 0");
-  return Vertex(static_cast<Surface::size_type>(number));
+  std::vector<std::pair<Vertex, Vertex>> pairs;
+  Progress_bar progress_bar("far vertices");
+  CGAL::Reeb_graph::find_far_apart_vertices(surface, std::back_inserter(pairs),
+                                            CGAL::parameters::callback(std::ref(progress_bar)));
+  return pairs;
 }
 
 typedef std::vector<std::pair<Vertex, double>> Constraints;
@@ -166,11 +173,7 @@ Constraints sources(const Input_options& options, const Surface& surface)
     result.emplace_back(vertex(surface, number), 0);
   if(!result.empty())
     return result;
-  std::vector<std::pair<Vertex, Vertex>> pairs;
-  Progress_bar progress_bar("far vertices");
-  CGAL::Reeb_graph::find_far_apart_vertices(surface, std::back_inserter(pairs),
-                                            CGAL::parameters::callback(std::ref(progress_bar)));
-  for(const auto& pair : pairs)
+  for(const auto& pair : far_apart_vertices(surface))
     result.emplace_back(pair.first, 0);
   return result;
 }
@@ -188,12 +191,8 @@ Constraints poles(const Input_options& options, const Surface& surface)
 {
   if(options.lowest_vertex)
     return {{vertex(surface, *options.lowest_vertex), 0}, {vertex(surface, *options.highest_vertex), 1}};
-  std::vector<std::pair<Vertex, Vertex>> pairs;
-  Progress_bar progress_bar("far vertices");
-  CGAL::Reeb_graph::find_far_apart_vertices(surface, std::back_inserter(pairs),
-                                            CGAL::parameters::callback(std::ref(progress_bar)));
   Constraints result;
-  for(const auto& [lowest, highest] : pairs)
+  for(const auto& [lowest, highest] : far_apart_vertices(surface))
   {
     result.emplace_back(lowest, 0);
     if(highest != lowest)

@@ -126,25 +126,23 @@ private:
 };
 
 // Notes what each stage of the computation takes: its seconds in the report, and those of CPU in that of the rank.
-class Rank_visitor
+class Rank_visitor : public Report_visitor
 {
 public:
-  Rank_visitor(Report& report, Rank_report& rank) : visitor_(report), report_(report), rank_(rank) {}
+  Rank_visitor(Report& report, Rank_report& rank) : Report_visitor(report), report_(report), rank_(rank) {}
 
   void begin_stage(CGAL::Reeb_graph::Stage stage)
   {
-    visitor_.begin_stage(stage);
+    Report_visitor::begin_stage(stage);
     first_cpu_seconds_ = cpu_seconds_of_process();
   }
   void end_stage(CGAL::Reeb_graph::Stage stage)
   {
-    visitor_.end_stage(stage);
+    Report_visitor::end_stage(stage);
     rank_.cpu_seconds.emplace_back(report_.seconds.back().first, cpu_seconds_of_process() - first_cpu_seconds_);
   }
-  void critical_vertices(const CGAL::Reeb_graph::Critical_vertex_counts& counts) { visitor_.critical_vertices(counts); }
 
 private:
-  Report_visitor visitor_;
   Report& report_;
   Rank_report& rank_;
   double first_cpu_seconds_ = 0;

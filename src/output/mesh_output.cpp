@@ -344,14 +344,10 @@ void write_surface(const std::filesystem::path& path, const Surface& surface, No
 
 void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map)
 {
-  write_file(path, [&](std::ostream& stream) {
-    if(is_npy(path))
-      return write_npy(stream, std::vector<double>(scalar_map.begin(), scalar_map.end()));
-    CGAL::Reeb_graph::internal::Text_output text(stream);
-    for(const Surface::Vertex_index v : surface.vertices())
-      text << scalar_map[v] << '\n';
-    text.flush();
-  });
+  std::vector<double> scalars;
+  for(const Surface::Vertex_index v : surface.vertices())
+    scalars.push_back(scalar_map[v]);
+  write_numbers(path, scalars);
 }
 
 void check_numbers_format(const std::filesystem::path& path)
@@ -362,18 +358,6 @@ void check_numbers_format(const std::filesystem::path& path)
     throw std::runtime_error(path.string()
                              + ": this is written as one number per line, or as .npy; --mesh-out of compute "
                                "writes meshes with fields");
-}
-
-void write_integers(const std::filesystem::path& path, const std::vector<std::int64_t>& numbers)
-{
-  write_file(path, [&](std::ostream& stream) {
-    if(is_npy(path))
-      return write_npy(stream, numbers);
-    CGAL::Reeb_graph::internal::Text_output text(stream);
-    for(const std::int64_t number : numbers)
-      text << number << '\n';
-    text.flush();
-  });
 }
 
 void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results, Notes& notes)

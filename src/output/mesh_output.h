@@ -11,11 +11,15 @@
 
 #include "base/surface.h"
 #include "input/Polygon_soup.h"
+#include "output/output_file.h"
+
+#include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,14 +35,25 @@ typedef std::vector<std::string> Notes;
 // numbers of its vertices, .ply or .vtp.
 void write_surface(const std::filesystem::path& path, const Surface& surface, Notes& notes);
 
-// One number per line in the order of the vertices, with all digits; .npy as NumPy has it.
+// One number per line, with all digits; .npy as NumPy has it.
+template <class Number>
+void write_numbers(const std::filesystem::path& path, const std::vector<Number>& numbers)
+{
+  write_file(path, [&](std::ostream& stream) {
+    if(is_npy(path))
+      return write_npy(stream, numbers);
+    CGAL::Reeb_graph::internal::Text_output text(stream);
+    for(const Number number : numbers)
+      text << number << '\n';
+    text.flush();
+  });
+}
+
+// The same in the order of the vertices.
 void write_scalars(const std::filesystem::path& path, const Surface& surface, Scalar_map scalar_map);
 
 // Throws std::runtime_error if a file of numbers, one per line or .npy, is called as one of a mesh; a path may be empty.
 void check_numbers_format(const std::filesystem::path& path);
-
-// One whole number per line, or .npy.
-void write_integers(const std::filesystem::path& path, const std::vector<std::int64_t>& numbers);
 
 // A surface for writers only, whose faces have the vertices of the polygons, and no neighbors.
 Surface unconnected_surface(const std::vector<Point>& points, const Polygons& polygons);

@@ -55,13 +55,16 @@ void append_corners(const Surface& surface, Surface::Face_index f, Corners& corn
     corners.push_back(v.idx());
 }
 
+double largest_extent(const CGAL::Bbox_3& box)
+{
+  return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+}
+
 // Three coordinates for each vertex, around the centre and by the size of the box, as single precision is enough then.
 std::vector<float> relative_positions(const Surface& surface)
 {
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
-  double size = 0;
-  for(int i = 0; i != 3; ++i)
-    size = (std::max)(size, box.max(i) - box.min(i));
+  const double size = largest_extent(box);
   std::vector<float> positions;
   positions.reserve(3 * (surface.number_of_vertices() + surface.number_of_removed_vertices()));
   for(const Point& point : surface.points())
@@ -139,11 +142,6 @@ Shown_faces decimate(const Surface& surface,
   for(const auto& patch : kept)
     append(patch);
   return result;
-}
-
-double largest_extent(const CGAL::Bbox_3& box)
-{
-  return (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
 }
 
 // The place of a vertex in the graph as the page writes it.
