@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -462,15 +463,7 @@ void write_pieces(const std::filesystem::path& folder, const Surface& surface, c
     faces_of_pieces.resize((std::max)(faces_of_pieces.size(), pieces[f] + 1));
     faces_of_pieces[pieces[f]].push_back(f);
   }
-  const auto name_of = [](std::size_t piece) { return "piece_" + std::to_string(piece) + ".ply"; };
   std::set<std::string> names;
-  for(std::size_t piece = 0; piece != faces_of_pieces.size(); ++piece)
-    if(!faces_of_pieces[piece].empty())
-      names.insert(name_of(piece));
-  for(const auto& entry : std::filesystem::directory_iterator(folder))
-    if(const std::string name = entry.path().filename().string();
-       name.rfind("piece_", 0) == 0 && entry.path().extension() == ".ply" && names.count(name) == 0)
-      throw Output_error(entry.path().string() + ": this piece is of an earlier run, and would lie among the new ones");
   std::vector<std::size_t> numbers(surface.number_of_vertices()), owners(numbers.size(), faces_of_pieces.size());
   for(std::size_t piece = 0; piece != faces_of_pieces.size(); ++piece)
   {
@@ -490,12 +483,21 @@ void write_pieces(const std::filesystem::path& folder, const Surface& surface, c
         triangles.back()[i++] = numbers[v];
       }
     }
-    if(!triangles.empty())
-      write_file(folder / name_of(piece), [&](std::ostream& stream) {
-        CGAL::IO::set_binary_mode(stream);
-        CGAL::IO::write_PLY(stream, points, triangles);
-      });
+    if(triangles.empty())
+      continue;
+    const std::string name = "piece_" + std::to_string(piece) + ".ply";
+    names.insert(name);
+    write_file(folder / name, [&](std::ostream& stream) {
+      CGAL::IO::set_binary_mode(stream);
+      CGAL::IO::write_PLY(stream, points, triangles);
+    });
   }
+  // Pieces of an earlier run would lie among the new ones.
+  const std::regex name_of_piece("piece_[0-9]+[.]ply");
+  for(const auto& entry : std::filesystem::directory_iterator(folder))
+    if(const std::string name = entry.path().filename().string();
+       names.count(name) == 0 && std::regex_match(name, name_of_piece))
+      std::filesystem::remove(entry.path(), error);
 }
 
 void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map, Notes& notes)
