@@ -205,19 +205,17 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   namespace internal = Reeb_graph::internal;
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Default_traits;
   typedef internal::Chosen_traits<Default_traits, NamedParameters> Traits;
-  if constexpr(std::conjunction<internal::Graph_is_not_const<ReebGraph>,
-                                internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>>::value)
-  {
-    const auto traits = internal::choose_traits<Default_traits>(np);
-    const auto flatten = [&](auto tag) {
-      return internal::flatten_for_graph<decltype(tag)>(mesh, scalar_map, traits, np);
-    };
-    const auto mesh_of = [&](const auto&) -> const FaceListGraph& { return mesh; };
-    if(internal::is_parallel<ConcurrencyTag>() && num_faces(mesh) < internal::smallest_parallel_mesh)
-      internal::run_pipeline<Sequential_tag>(flatten, mesh_of, traits, graph, np);
-    else
-      internal::run_pipeline<ConcurrencyTag>(flatten, mesh_of, traits, graph, np);
-  }
+  static_assert(internal::are_met<internal::Graph_is_not_const<ReebGraph>,
+                                  internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>>);
+  const auto traits = internal::choose_traits<Default_traits>(np);
+  const auto flatten = [&](auto tag) {
+    return internal::flatten_for_graph<decltype(tag)>(mesh, scalar_map, traits, np);
+  };
+  const auto mesh_of = [&](const auto&) -> const FaceListGraph& { return mesh; };
+  if(internal::is_parallel<ConcurrencyTag>() && num_faces(mesh) < internal::smallest_parallel_mesh)
+    internal::run_pipeline<Sequential_tag>(flatten, mesh_of, traits, graph, np);
+  else
+    internal::run_pipeline<ConcurrencyTag>(flatten, mesh_of, traits, graph, np);
 }
 
 template <class ConcurrencyTag, class Flatten, class MeshOf, class Traits, class ReebGraph, class NamedParameters>

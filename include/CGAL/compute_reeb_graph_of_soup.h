@@ -39,20 +39,18 @@ void compute_graph_of_cells(const PointsOrNumber& points,
 {
   typedef Reeb_graph_soup_traits<Value_of_range<Scalars>> Default_traits;
   typedef Chosen_traits<Default_traits, NamedParameters> Traits;
-  if constexpr(std::conjunction<Graph_is_not_const<ReebGraph>,
-                                Graph_of_field<ReebGraph, Simplicial_complex, typename Traits::Scalar>>::value)
-  {
-    const auto traits = choose_traits<Default_traits>(np);
-    const auto flatten = [&](auto tag) {
-      return flatten_cells<decltype(tag), vertices_per_cell>(
-        points, cells, parameters::get_parameter(np, edges_of_soup), scalars, traits);
-    };
-    const auto mesh_of = [](const Simplicial_complex& complex) -> const Simplicial_complex& { return complex; };
-    if(is_parallel<ConcurrencyTag>() && count_vertices(points) < smallest_parallel_mesh / 2)
-      run_pipeline<Sequential_tag>(flatten, mesh_of, traits, graph, np);
-    else
-      run_pipeline<ConcurrencyTag>(flatten, mesh_of, traits, graph, np);
-  }
+  static_assert(
+    are_met<Graph_is_not_const<ReebGraph>, Graph_of_field<ReebGraph, Simplicial_complex, typename Traits::Scalar>>);
+  const auto traits = choose_traits<Default_traits>(np);
+  const auto flatten = [&](auto tag) {
+    return flatten_cells<decltype(tag), vertices_per_cell>(points, cells, parameters::get_parameter(np, edges_of_soup),
+                                                           scalars, traits);
+  };
+  const auto mesh_of = [](const Simplicial_complex& complex) -> const Simplicial_complex& { return complex; };
+  if(is_parallel<ConcurrencyTag>() && count_vertices(points) < smallest_parallel_mesh / 2)
+    run_pipeline<Sequential_tag>(flatten, mesh_of, traits, graph, np);
+  else
+    run_pipeline<ConcurrencyTag>(flatten, mesh_of, traits, graph, np);
 }
 
 } // namespace Reeb_graph::internal

@@ -181,15 +181,11 @@ std::vector<double> vertex_counts_of_places(const FaceListGraph& mesh,
                                             const ReebGraph& graph,
                                             const VertexPlaces& places)
 {
-  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
-  {
-    std::vector<double> counts(num_vertices(graph) + num_edges(graph), 0);
-    for(const auto v : CGAL::make_range(vertices(mesh)))
-      counts.at(places.index(v)) += 1;
-    return counts;
-  }
-  else
-    return {};
+  static_assert(internal::are_met<internal::Mesh_is_face_list_graph<FaceListGraph>>);
+  std::vector<double> counts(num_vertices(graph) + num_edges(graph), 0);
+  for(const auto v : CGAL::make_range(vertices(mesh)))
+    counts.at(places.index(v)) += 1;
+  return counts;
 }
 
 /// \brief adds up the area that belongs to each node and to each arc of a Reeb graph: weights for `simplify()`, as
@@ -218,11 +214,8 @@ std::vector<double> areas_of_places(const FaceListGraph& mesh,
                                     const VertexPlaces& places,
                                     const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
-    return internal::measures_of_places(internal::Mesh_cells(mesh), graph, places,
-                                        internal::choose_point_map(mesh, np));
-  else
-    return {};
+  static_assert(internal::are_met<internal::Mesh_is_face_list_graph<FaceListGraph>>);
+  return internal::measures_of_places(internal::Mesh_cells(mesh), graph, places, internal::choose_point_map(mesh, np));
 }
 
 /// \brief adds up the area of the surface that belongs to each arc of a Reeb graph.
@@ -329,12 +322,9 @@ std::vector<double> arc_mean_values(const FaceListGraph& mesh,
                                     const NamedParameters& np = parameters::default_values())
 {
   typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
-  if constexpr(internal::Mesh_with_numbers<FaceListGraph, ScalarMap, Traits>::value)
-    return internal::mean_values_of_arcs(internal::Mesh_cells(mesh), graph, places,
-                                         internal::choose_point_map(mesh, np),
-                                         internal::double_values<Traits>(scalar_map, np));
-  else
-    return {};
+  static_assert(internal::are_met<internal::Mesh_with_numbers<FaceListGraph, ScalarMap, Traits>>);
+  return internal::mean_values_of_arcs(internal::Mesh_cells(mesh), graph, places, internal::choose_point_map(mesh, np),
+                                       internal::double_values<Traits>(scalar_map, np));
 }
 
 /// \brief computes the mean value of the field on each arc of a Reeb graph, as that of a mesh: of a soup, weighted by the
@@ -384,11 +374,9 @@ std::vector<double> arc_lengths(const FaceListGraph& mesh,
                                 const NamedParameters& np = parameters::default_values())
 {
   typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
-  if constexpr(internal::Mesh_with_numbers<FaceListGraph, ScalarMap, Traits>::value)
-    return internal::lengths_of_arcs(mesh, graph, internal::choose_point_map(mesh, np),
-                                     internal::double_values<Traits>(scalar_map, np));
-  else
-    return {};
+  static_assert(internal::are_met<internal::Mesh_with_numbers<FaceListGraph, ScalarMap, Traits>>);
+  return internal::lengths_of_arcs(mesh, graph, internal::choose_point_map(mesh, np),
+                                   internal::double_values<Traits>(scalar_map, np));
 }
 
 /// \brief measures the length of each arc of the Reeb graph of a mesh, of a soup, or of tetrahedra, in the same way.

@@ -536,32 +536,31 @@ struct Plane_layout
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
 Plane_layout lay_out_in_plane(const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
 {
+  static_assert(
+    internal::are_met<internal::Plain_reeb_graph<ReebGraph>, internal::Nodes_have_numbers<ReebGraph, NamedParameters>>);
+  const std::vector<internal::Ascending_arc> arcs = internal::read_arcs(graph);
+  const std::vector<double> values = internal::drawn_values(internal::numbers_of_nodes(graph, np));
+  const internal::Value_scale scale(values);
+  std::vector<double> heights;
+  heights.reserve(values.size());
+  for(const double value : values)
+    heights.push_back(scale.height(value));
+  const internal::Plane_drawing drawing(arcs, heights);
   Plane_layout layout;
-  if constexpr(internal::Plain_graph_of_numbers<ReebGraph, NamedParameters>::value)
+  layout.node_positions = drawing.positions();
+  layout.arc_polylines = drawing.curves();
+  for(std::size_t i = 0; i != arcs.size(); ++i)
   {
-    const std::vector<internal::Ascending_arc> arcs = internal::read_arcs(graph);
-    const std::vector<double> values = internal::drawn_values(internal::numbers_of_nodes(graph, np));
-    const internal::Value_scale scale(values);
-    std::vector<double> heights;
-    heights.reserve(values.size());
-    for(const double value : values)
-      heights.push_back(scale.height(value));
-    const internal::Plane_drawing drawing(arcs, heights);
-    layout.node_positions = drawing.positions();
-    layout.arc_polylines = drawing.curves();
-    for(std::size_t i = 0; i != arcs.size(); ++i)
+    double last = scale.finite_value(values[arcs[i].lower]);
+    const double end = scale.finite_value(values[arcs[i].upper]);
+    layout.arc_polylines[i].front()[1] = last;
+    for(std::size_t k = 1; k != layout.arc_polylines[i].size(); ++k)
     {
-      double last = scale.finite_value(values[arcs[i].lower]);
-      const double end = scale.finite_value(values[arcs[i].upper]);
-      layout.arc_polylines[i].front()[1] = last;
-      for(std::size_t k = 1; k != layout.arc_polylines[i].size(); ++k)
-      {
-        double& value = layout.arc_polylines[i][k][1];
-        const auto [low, high] = std::minmax(last, end);
-        value = last = (std::clamp)(scale.value(value), low, high); // rounded values could go back
-      }
-      layout.arc_polylines[i].back()[1] = end;
+      double& value = layout.arc_polylines[i][k][1];
+      const auto [low, high] = std::minmax(last, end);
+      value = last = (std::clamp)(scale.value(value), low, high); // rounded values could go back
     }
+    layout.arc_polylines[i].back()[1] = end;
   }
   return layout;
 }

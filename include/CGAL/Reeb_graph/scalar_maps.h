@@ -54,20 +54,18 @@ namespace CGAL::Reeb_graph {
 template <class FaceListGraph, class ScalarRange>
 auto make_scalar_map(const FaceListGraph& mesh, const ScalarRange& values)
 {
-  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
-  {
-    typedef typename boost::range_value<const ScalarRange>::type Scalar;
-    auto scalar_map = get(dynamic_vertex_property_t<Scalar>(), mesh);
-    const auto vertex_range = vertices(mesh);
-    const std::size_t number_of_vertices = std::distance(vertex_range.first, vertex_range.second);
-    const std::size_t number_of_values = std::distance(std::begin(values), std::end(values));
-    if(number_of_values != number_of_vertices)
-      throw Scalar_count_error(number_of_values, number_of_vertices);
-    auto value = std::begin(values);
-    for(auto v = vertex_range.first; v != vertex_range.second; ++v, ++value)
-      put(scalar_map, *v, *value);
-    return scalar_map;
-  }
+  static_assert(internal::are_met<internal::Mesh_is_face_list_graph<FaceListGraph>>);
+  typedef typename boost::range_value<const ScalarRange>::type Scalar;
+  auto scalar_map = get(dynamic_vertex_property_t<Scalar>(), mesh);
+  const auto vertex_range = vertices(mesh);
+  const std::size_t number_of_vertices = std::distance(vertex_range.first, vertex_range.second);
+  const std::size_t number_of_values = std::distance(std::begin(values), std::end(values));
+  if(number_of_values != number_of_vertices)
+    throw Scalar_count_error(number_of_values, number_of_vertices);
+  auto value = std::begin(values);
+  for(auto v = vertex_range.first; v != vertex_range.second; ++v, ++value)
+    put(scalar_map, *v, *value);
+  return scalar_map;
 }
 
 /// \brief makes a scalar map from a function object that is called with a vertex of `mesh`.

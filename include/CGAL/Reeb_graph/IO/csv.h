@@ -70,20 +70,20 @@ void write_nodes_csv(const internal::Output& output,
                      const Embedding& embedding,
                      VertexIndexMap vertex_index_map)
 {
-  if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
-    output([&](std::ostream& out) {
-      internal::Text_output text(out);
-      text << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
-      for(const auto node : CGAL::make_range(vertices(graph)))
-      {
-        text << node << ',' << get(vertex_index_map, graph[node].vertex) << ',' << embedding.node_values[node] << ','
-             << to_string(graph[node].kind);
-        for(const double coordinate : internal::coordinates_of(embedding.node_points[node]))
-          text << ',' << coordinate;
-        text << ',' << in_degree(node, graph) << ',' << out_degree(node, graph) << '\n';
-      }
-      text.flush();
-    });
+  static_assert(internal::are_met<internal::Graph_and_vertex_map<Graph, VertexIndexMap>>);
+  output([&](std::ostream& out) {
+    internal::Text_output text(out);
+    text << "node,vertex,value,kind,x,y,z,arcs_below,arcs_above\n";
+    for(const auto node : CGAL::make_range(vertices(graph)))
+    {
+      text << node << ',' << get(vertex_index_map, graph[node].vertex) << ',' << embedding.node_values[node] << ','
+           << to_string(graph[node].kind);
+      for(const double coordinate : internal::coordinates_of(embedding.node_points[node]))
+        text << ',' << coordinate;
+      text << ',' << in_degree(node, graph) << ',' << out_degree(node, graph) << '\n';
+    }
+    text.flush();
+  });
 }
 
 /// \ingroup PkgReebGraphIO

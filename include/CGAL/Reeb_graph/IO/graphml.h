@@ -111,53 +111,52 @@ void write_graphml_with(const Output& output,
                         const NamedParameters& np,
                         const TextOfChain& text_of_chain)
 {
-  if constexpr(Graph_to_write<Graph, VertexIndexMap, NamedParameters>::value)
-  {
-    typedef Graphml_keys<Graph, !std::is_same_v<TextOfChain, std::nullptr_t>> Keys;
-    const std::vector<Attribute> attributes =
-      checked_attributes(parameters::get_parameter(np, arc_attributes), num_edges(graph));
-    const auto conversion = choose_conversion_of_nodes<Graph>(np);
-    const auto value_of = [&](const auto node) { return written_scalar(conversion, graph[node].value); };
-    output([&](std::ostream& out) {
-      Text_output text(out);
-      const auto write_data = [&](std::size_t key, const auto& value) {
-        text << "      <data key=\"key" << key << "\">" << value << "</data>\n";
-      };
-      text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-              "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\" "
-              "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
-              "xsi:schemaLocation=\"http://graphml.graphdrawing.org/xmlns "
-              "http://graphml.graphdrawing.org/xmlns/1.0/graphml.xsd\">\n";
-      write_graphml_keys<Keys, decltype(value_of(*vertices(graph).first))>(text, attributes);
-      text << "  <graph id=\"G\" edgedefault=\"directed\" parse.nodeids=\"free\" parse.edgeids=\"free\" "
-              "parse.order=\"nodesfirst\">\n";
-      for(const auto node : CGAL::make_range(vertices(graph)))
-      {
-        text << "    <node id=\"" << std::size_t(node) << "\">\n";
-        write_data(Keys::kind, to_string(graph[node].kind));
-        write_data(Keys::value, graphml_text(value_of(node)));
-        write_data(Keys::vertex, static_cast<std::size_t>(get(vertex_index_map, graph[node].vertex)));
-        text << "    </node>\n";
-      }
-      std::size_t number = 0;
-      for(const auto arc : CGAL::make_range(edges(graph)))
-      {
-        text << "    <edge id=\"" << number << "\" source=\"" << std::size_t(source(arc, graph)) << "\" target=\""
-             << std::size_t(target(arc, graph)) << "\">\n";
-        if constexpr(Keys::has_chains)
-          write_data(Keys::chain, text_of_chain(arc));
-        if constexpr(Keys::has_index)
-          write_data(Keys::index, static_cast<std::size_t>(get(boost::edge_index, graph, arc)));
-        for(std::size_t i = 0; i != attributes.size(); ++i)
-          std::visit([&](const auto& numbers) { write_data(Keys::first_attribute + i, graphml_text(numbers[number])); },
-                     attributes[i].numbers);
-        text << "    </edge>\n";
-        ++number;
-      }
-      text << "  </graph>\n</graphml>\n";
-      text.flush();
-    });
-  }
+  static_assert(are_met<Graph_and_vertex_map<Graph, VertexIndexMap>,
+                        Scalars_can_be_written<Traits_of_nodes<Graph, NamedParameters>>>);
+  typedef Graphml_keys<Graph, !std::is_same_v<TextOfChain, std::nullptr_t>> Keys;
+  const std::vector<Attribute> attributes =
+    checked_attributes(parameters::get_parameter(np, arc_attributes), num_edges(graph));
+  const auto conversion = choose_conversion_of_nodes<Graph>(np);
+  const auto value_of = [&](const auto node) { return written_scalar(conversion, graph[node].value); };
+  output([&](std::ostream& out) {
+    Text_output text(out);
+    const auto write_data = [&](std::size_t key, const auto& value) {
+      text << "      <data key=\"key" << key << "\">" << value << "</data>\n";
+    };
+    text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\" "
+            "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+            "xsi:schemaLocation=\"http://graphml.graphdrawing.org/xmlns "
+            "http://graphml.graphdrawing.org/xmlns/1.0/graphml.xsd\">\n";
+    write_graphml_keys<Keys, decltype(value_of(*vertices(graph).first))>(text, attributes);
+    text << "  <graph id=\"G\" edgedefault=\"directed\" parse.nodeids=\"free\" parse.edgeids=\"free\" "
+            "parse.order=\"nodesfirst\">\n";
+    for(const auto node : CGAL::make_range(vertices(graph)))
+    {
+      text << "    <node id=\"" << std::size_t(node) << "\">\n";
+      write_data(Keys::kind, to_string(graph[node].kind));
+      write_data(Keys::value, graphml_text(value_of(node)));
+      write_data(Keys::vertex, static_cast<std::size_t>(get(vertex_index_map, graph[node].vertex)));
+      text << "    </node>\n";
+    }
+    std::size_t number = 0;
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      text << "    <edge id=\"" << number << "\" source=\"" << std::size_t(source(arc, graph)) << "\" target=\""
+           << std::size_t(target(arc, graph)) << "\">\n";
+      if constexpr(Keys::has_chains)
+        write_data(Keys::chain, text_of_chain(arc));
+      if constexpr(Keys::has_index)
+        write_data(Keys::index, static_cast<std::size_t>(get(boost::edge_index, graph, arc)));
+      for(std::size_t i = 0; i != attributes.size(); ++i)
+        std::visit([&](const auto& numbers) { write_data(Keys::first_attribute + i, graphml_text(numbers[number])); },
+                   attributes[i].numbers);
+      text << "    </edge>\n";
+      ++number;
+    }
+    text << "  </graph>\n</graphml>\n";
+    text.flush();
+  });
 }
 
 } // namespace internal

@@ -100,39 +100,38 @@ void write_graphviz(const internal::Output& output,
                     VertexIndexMap vertex_index_map,
                     const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Graph_to_write<Graph, VertexIndexMap, NamedParameters>::value)
-  {
-    const auto conversion = internal::choose_conversion_of_nodes<Graph>(np);
-    output([&](std::ostream& out) {
-      internal::Text_output text(out);
-      text << "digraph G {\nrankdir=BT;\nnodesep=0.8;\n"
-              "node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", fontsize=11, margin=\"0.08,0.04\"];\n"
-              "edge [arrowhead=none, fontname=\"Helvetica\", fontsize=11];\n";
-      for(const auto node : CGAL::make_range(vertices(graph)))
+  static_assert(internal::are_met<internal::Graph_and_vertex_map<Graph, VertexIndexMap>,
+                                  internal::Scalars_can_be_written<internal::Traits_of_nodes<Graph, NamedParameters>>>);
+  const auto conversion = internal::choose_conversion_of_nodes<Graph>(np);
+  output([&](std::ostream& out) {
+    internal::Text_output text(out);
+    text << "digraph G {\nrankdir=BT;\nnodesep=0.8;\n"
+            "node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", fontsize=11, margin=\"0.08,0.04\"];\n"
+            "edge [arrowhead=none, fontname=\"Helvetica\", fontsize=11];\n";
+    for(const auto node : CGAL::make_range(vertices(graph)))
+    {
+      const auto& properties = graph[node];
+      const auto value = internal::written_scalar(conversion, properties.value);
+      const std::string index = std::to_string(get(vertex_index_map, properties.vertex));
+      const std::string label = "n" + std::to_string(node) + ", v" + index + "\n" + internal::to_short_string(value);
+      text << std::size_t(node) << " [label=" << internal::dot_text(label) << ", fillcolor=\""
+           << internal::fill_color(properties.kind) << "\", vertex=" << index
+           << ", value=" << internal::dot_text(internal::to_round_trip_string(value)) << ", kind=\""
+           << to_string(properties.kind) << "\"];\n";
+    }
+    for(const auto arc : CGAL::make_range(edges(graph)))
+    {
+      text << std::size_t(source(arc, graph)) << "->" << std::size_t(target(arc, graph)) << ' ';
+      if constexpr(internal::Has_arc_index<Graph>::value)
       {
-        const auto& properties = graph[node];
-        const auto value = internal::written_scalar(conversion, properties.value);
-        const std::string index = std::to_string(get(vertex_index_map, properties.vertex));
-        const std::string label = "n" + std::to_string(node) + ", v" + index + "\n" + internal::to_short_string(value);
-        text << std::size_t(node) << " [label=" << internal::dot_text(label) << ", fillcolor=\""
-             << internal::fill_color(properties.kind) << "\", vertex=" << index
-             << ", value=" << internal::dot_text(internal::to_round_trip_string(value)) << ", kind=\""
-             << to_string(properties.kind) << "\"];\n";
+        const std::string index = std::to_string(get(boost::edge_index, graph, arc));
+        text << " [label=" << index << ", index=" << index << "]";
       }
-      for(const auto arc : CGAL::make_range(edges(graph)))
-      {
-        text << std::size_t(source(arc, graph)) << "->" << std::size_t(target(arc, graph)) << ' ';
-        if constexpr(internal::Has_arc_index<Graph>::value)
-        {
-          const std::string index = std::to_string(get(boost::edge_index, graph, arc));
-          text << " [label=" << index << ", index=" << index << "]";
-        }
-        text << ";\n";
-      }
-      text << "}\n";
-      text.flush();
-    });
-  }
+      text << ";\n";
+    }
+    text << "}\n";
+    text.flush();
+  });
 }
 
 } // namespace CGAL::Reeb_graph

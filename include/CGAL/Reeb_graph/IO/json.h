@@ -116,13 +116,11 @@ void write_json(const internal::Output& output,
                 VertexIndexMap vertex_index_map,
                 const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
-  {
-    const auto ends_of = [&](const auto h) {
-      return std::make_pair(get(vertex_index_map, source(h, mesh)), get(vertex_index_map, target(h, mesh)));
-    };
-    internal::write_json_of_graph(output, graph, embedding, vertex_index_map, ends_of, np);
-  }
+  static_assert(internal::are_met<internal::Graph_and_vertex_map<Graph, VertexIndexMap>>);
+  const auto ends_of = [&](const auto h) {
+    return std::make_pair(get(vertex_index_map, source(h, mesh)), get(vertex_index_map, target(h, mesh)));
+  };
+  internal::write_json_of_graph(output, graph, embedding, vertex_index_map, ends_of, np);
 }
 
 /// \ingroup PkgReebGraphIO
@@ -143,9 +141,9 @@ void write_json(const internal::Output& output,
                 const NamedParameters& np = parameters::default_values())
 {
   typedef boost::typed_identity_property_map<std::size_t> Index_map;
-  if constexpr(internal::Graph_and_vertex_map<Graph, Index_map>::value)
-    internal::write_json_of_graph(
-      output, graph, embedding, Index_map(), [](const auto& edge) { return edge; }, np);
+  static_assert(internal::are_met<internal::Graph_and_vertex_map<Graph, Index_map>>);
+  internal::write_json_of_graph(
+    output, graph, embedding, Index_map(), [](const auto& edge) { return edge; }, np);
 }
 
 } // namespace CGAL::Reeb_graph

@@ -508,53 +508,52 @@ void write_svg(const internal::Output& output,
                const ReebGraph& graph,
                const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Graph_of_numbers<ReebGraph, NamedParameters>::value)
-  {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    const std::string name = choose_parameter(get_parameter(np, internal::field_name), std::string("value"));
-    const std::string unit = choose_parameter(get_parameter(np, internal::field_unit), std::string());
-    const auto vertex_index_map = get_parameter(np, internal_np::vertex_index);
-    const std::string unit_text = unit.empty() ? "" : ' ' + unit;
-    const std::vector<double> values = internal::numbers_of_nodes(graph, np), heights = internal::drawn_values(values);
-    const auto value_text = [&](std::size_t node, int digits = 6) {
-      return internal::to_string_with_precision(values[node], digits);
-    };
-    constexpr std::size_t few_nodes = 40;
+  static_assert(internal::are_met<internal::Augmented_reeb_graph<ReebGraph>,
+                                  internal::Nodes_have_numbers<ReebGraph, NamedParameters>>);
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const std::string name = choose_parameter(get_parameter(np, internal::field_name), std::string("value"));
+  const std::string unit = choose_parameter(get_parameter(np, internal::field_unit), std::string());
+  const auto vertex_index_map = get_parameter(np, internal_np::vertex_index);
+  const std::string unit_text = unit.empty() ? "" : ' ' + unit;
+  const std::vector<double> values = internal::numbers_of_nodes(graph, np), heights = internal::drawn_values(values);
+  const auto value_text = [&](std::size_t node, int digits = 6) {
+    return internal::to_string_with_precision(values[node], digits);
+  };
+  constexpr std::size_t few_nodes = 40;
 
-    Plane_layout layout = lay_out_in_plane(graph, np);
-    std::vector<internal::Drawn_node> nodes;
-    for(std::size_t node = 0; node != num_vertices(graph); ++node)
-    {
-      std::ostringstream title;
-      title.imbue(std::locale::classic());
-      title << "node " << node << ": " << graph[node].kind << '\n' << name << ' ' << value_text(node) << unit_text;
-      if constexpr(internal::is_given<decltype(vertex_index_map)>)
-        title << "\nvertex " << get(vertex_index_map, graph[node].vertex);
-      nodes.push_back({layout.node_positions[node], heights[node], graph[node].kind,
-                       'n' + std::to_string(node) + (num_vertices(graph) > few_nodes ? "" : ": " + value_text(node, 4)),
-                       title.str()});
-    }
-    std::vector<internal::Drawn_arc> arcs;
-    for(auto range = edges(graph); range.first != range.second; ++range.first)
-    {
-      const std::size_t lower = source(*range.first, graph), upper = target(*range.first, graph), number = arcs.size();
-      std::ostringstream title;
-      title.imbue(std::locale::classic());
-      title << "arc " << number << ": from node " << lower << " to node " << upper << '\n'
-            << name << " from " << value_text(lower) << " to " << value_text(upper) << unit_text;
-      arcs.push_back({std::move(layout.arc_polylines[number]), std::to_string(number), title.str()});
-    }
-    std::string description = internal::counted(num_vertices(graph), "node");
-    description.append(", ").append(internal::counted(num_edges(graph), "arc"));
-    description.append(", ").append(internal::counted(number_of_loops(graph), "loop"));
-    description.append(", ").append(internal::counted(number_of_components(graph), "component"));
-    const std::string axis_title = heights != values ? "order of " + name
-                                 : unit.empty()      ? name
-                                                     : name + " [" + unit + "]";
-    const internal::Svg_drawing drawing(std::move(nodes), std::move(arcs), axis_title);
-    output([&](std::ostream& out) { drawing.write(out, "Reeb graph", description); });
+  Plane_layout layout = lay_out_in_plane(graph, np);
+  std::vector<internal::Drawn_node> nodes;
+  for(std::size_t node = 0; node != num_vertices(graph); ++node)
+  {
+    std::ostringstream title;
+    title.imbue(std::locale::classic());
+    title << "node " << node << ": " << graph[node].kind << '\n' << name << ' ' << value_text(node) << unit_text;
+    if constexpr(internal::is_given<decltype(vertex_index_map)>)
+      title << "\nvertex " << get(vertex_index_map, graph[node].vertex);
+    nodes.push_back({layout.node_positions[node], heights[node], graph[node].kind,
+                     'n' + std::to_string(node) + (num_vertices(graph) > few_nodes ? "" : ": " + value_text(node, 4)),
+                     title.str()});
   }
+  std::vector<internal::Drawn_arc> arcs;
+  for(auto range = edges(graph); range.first != range.second; ++range.first)
+  {
+    const std::size_t lower = source(*range.first, graph), upper = target(*range.first, graph), number = arcs.size();
+    std::ostringstream title;
+    title.imbue(std::locale::classic());
+    title << "arc " << number << ": from node " << lower << " to node " << upper << '\n'
+          << name << " from " << value_text(lower) << " to " << value_text(upper) << unit_text;
+    arcs.push_back({std::move(layout.arc_polylines[number]), std::to_string(number), title.str()});
+  }
+  std::string description = internal::counted(num_vertices(graph), "node");
+  description.append(", ").append(internal::counted(num_edges(graph), "arc"));
+  description.append(", ").append(internal::counted(number_of_loops(graph), "loop"));
+  description.append(", ").append(internal::counted(number_of_components(graph), "component"));
+  const std::string axis_title = heights != values ? "order of " + name
+                               : unit.empty()      ? name
+                                                   : name + " [" + unit + "]";
+  const internal::Svg_drawing drawing(std::move(nodes), std::move(arcs), axis_title);
+  output([&](std::ostream& out) { drawing.write(out, "Reeb graph", description); });
 }
 
 } // namespace CGAL::Reeb_graph

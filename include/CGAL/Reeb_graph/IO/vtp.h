@@ -275,55 +275,53 @@ void write_vtp(const internal::Output& output,
                VertexIndexMap vertex_index_map,
                const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Graph_and_vertex_map<Graph, VertexIndexMap>::value)
+  static_assert(internal::are_met<internal::Graph_and_vertex_map<Graph, VertexIndexMap>>);
+  using internal::padded;
+  const std::size_t number_of_nodes = num_vertices(graph), number_of_arcs = num_edges(graph);
+  const std::vector<Attribute> attributes =
+    internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), number_of_arcs);
+  const internal::Vtp_graph<Graph, Embedding> points(graph, embedding);
+  const std::size_t number_of_inner_points = points.arc_of_point.size();
+  std::vector<std::int64_t> node_numbers, arc_numbers, kinds, vertex_numbers;
+  std::vector<double> lower_values = embedding.node_values, upper_values = lower_values;
+  for(const auto node : CGAL::make_range(vertices(graph)))
   {
-    using internal::padded;
-    const std::size_t number_of_nodes = num_vertices(graph), number_of_arcs = num_edges(graph);
-    const std::vector<Attribute> attributes =
-      internal::checked_attributes(parameters::get_parameter(np, internal::arc_attributes), number_of_arcs);
-    const internal::Vtp_graph<Graph, Embedding> points(graph, embedding);
-    const std::size_t number_of_inner_points = points.arc_of_point.size();
-    std::vector<std::int64_t> node_numbers, arc_numbers, kinds, vertex_numbers;
-    std::vector<double> lower_values = embedding.node_values, upper_values = lower_values;
-    for(const auto node : CGAL::make_range(vertices(graph)))
-    {
-      node_numbers.push_back(static_cast<std::int64_t>(node));
-      kinds.push_back(static_cast<std::int64_t>(graph[node].kind));
-      vertex_numbers.push_back(static_cast<std::int64_t>(get(vertex_index_map, graph[node].vertex)));
-    }
-    for(const auto arc : CGAL::make_range(edges(graph)))
-    {
-      arc_numbers.push_back(static_cast<std::int64_t>(arc_numbers.size()));
-      lower_values.push_back(embedding.node_values[source(arc, graph)]);
-      upper_values.push_back(embedding.node_values[target(arc, graph)]);
-    }
-
-    output([&](std::ostream& out) {
-      const internal::Classic_locale classic_locale(out);
-      internal::Vtp_document document(out, points.values.size(), points.nodes, points.arcs, {});
-      document.write_section("Points", "", [&] { document.write_array("Points", points.coordinates, 3); });
-      document.write_section("PointData", "value", [&] {
-        document.write_array("value", points.values);
-        document.write_array("node", padded(0, node_numbers, number_of_inner_points));
-        document.write_array("kind", padded(0, kinds, number_of_inner_points));
-        document.write_array("vertex", padded(0, vertex_numbers, number_of_inner_points));
-        document.write_array("arc", padded(number_of_nodes, points.arc_of_point, 0));
-      });
-      document.write_section("CellData", "arc", [&] {
-        document.write_array("node", padded(0, node_numbers, number_of_arcs));
-        document.write_array("kind", padded(0, kinds, number_of_arcs));
-        document.write_array("vertex", padded(0, vertex_numbers, number_of_arcs));
-        document.write_array("arc", padded(number_of_nodes, arc_numbers, 0));
-        document.write_array("lower_value", lower_values);
-        document.write_array("upper_value", upper_values);
-        for(const Attribute& attribute : attributes)
-          std::visit(
-            [&](const auto& numbers) { document.write_array(attribute.name, padded(number_of_nodes, numbers, 0)); },
-            attribute.numbers);
-      });
-      document.finish();
-    });
+    node_numbers.push_back(static_cast<std::int64_t>(node));
+    kinds.push_back(static_cast<std::int64_t>(graph[node].kind));
+    vertex_numbers.push_back(static_cast<std::int64_t>(get(vertex_index_map, graph[node].vertex)));
   }
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    arc_numbers.push_back(static_cast<std::int64_t>(arc_numbers.size()));
+    lower_values.push_back(embedding.node_values[source(arc, graph)]);
+    upper_values.push_back(embedding.node_values[target(arc, graph)]);
+  }
+
+  output([&](std::ostream& out) {
+    const internal::Classic_locale classic_locale(out);
+    internal::Vtp_document document(out, points.values.size(), points.nodes, points.arcs, {});
+    document.write_section("Points", "", [&] { document.write_array("Points", points.coordinates, 3); });
+    document.write_section("PointData", "value", [&] {
+      document.write_array("value", points.values);
+      document.write_array("node", padded(0, node_numbers, number_of_inner_points));
+      document.write_array("kind", padded(0, kinds, number_of_inner_points));
+      document.write_array("vertex", padded(0, vertex_numbers, number_of_inner_points));
+      document.write_array("arc", padded(number_of_nodes, points.arc_of_point, 0));
+    });
+    document.write_section("CellData", "arc", [&] {
+      document.write_array("node", padded(0, node_numbers, number_of_arcs));
+      document.write_array("kind", padded(0, kinds, number_of_arcs));
+      document.write_array("vertex", padded(0, vertex_numbers, number_of_arcs));
+      document.write_array("arc", padded(number_of_nodes, arc_numbers, 0));
+      document.write_array("lower_value", lower_values);
+      document.write_array("upper_value", upper_values);
+      for(const Attribute& attribute : attributes)
+        std::visit(
+          [&](const auto& numbers) { document.write_array(attribute.name, padded(number_of_nodes, numbers, 0)); },
+          attribute.numbers);
+    });
+    document.finish();
+  });
 }
 
 /// \ingroup PkgReebGraphIO

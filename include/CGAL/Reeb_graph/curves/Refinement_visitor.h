@@ -127,13 +127,13 @@ public:
   template <class VertexMap, class Interpolation = Linear_interpolation>
   Interpolating_visitor& add_vertex_map(VertexMap map, Interpolation interpolate = Interpolation())
   {
-    if constexpr(internal::Writable_vertex_map<VertexMap, FaceGraph>::value)
-      vertex_actions_.push_back(
-        [map, interpolate](vertex_descriptor v, vertex_descriptor source, vertex_descriptor target, double t) mutable {
-          typedef typename boost::property_traits<VertexMap>::value_type Value;
-          const Value a = get(map, source), b = get(map, target); // no references: writing can move them
-          put(map, v, t == 0 ? a : interpolate(a, b, t));
-        });
+    static_assert(internal::are_met<internal::Writable_vertex_map<VertexMap, FaceGraph>>);
+    vertex_actions_.push_back(
+      [map, interpolate](vertex_descriptor v, vertex_descriptor source, vertex_descriptor target, double t) mutable {
+        typedef typename boost::property_traits<VertexMap>::value_type Value;
+        const Value a = get(map, source), b = get(map, target); // no references: writing can move them
+        put(map, v, t == 0 ? a : interpolate(a, b, t));
+      });
     return *this;
   }
 
@@ -145,11 +145,11 @@ public:
   template <class FaceMap>
   Interpolating_visitor& add_face_map(FaceMap map)
   {
-    if constexpr(internal::Writable_face_map<FaceMap, FaceGraph>::value)
-      face_actions_.push_back([map](face_descriptor old, face_descriptor created) mutable {
-        const typename boost::property_traits<FaceMap>::value_type value = get(map, old);
-        put(map, created, value);
-      });
+    static_assert(internal::are_met<internal::Writable_face_map<FaceMap, FaceGraph>>);
+    face_actions_.push_back([map](face_descriptor old, face_descriptor created) mutable {
+      const typename boost::property_traits<FaceMap>::value_type value = get(map, old);
+      put(map, created, value);
+    });
     return *this;
   }
 

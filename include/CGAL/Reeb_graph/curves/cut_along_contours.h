@@ -71,25 +71,22 @@ OutputIterator cut_along_contours(MutableFaceGraph& mesh,
                                   const NamedParameters& np = parameters::default_values())
 {
   typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
-  if constexpr(internal::Refinable_mesh_with_field<MutableFaceGraph, ScalarMap, Traits>::value)
-  {
-    const internal::Progress progress(np);
-    progress.report(0);
-    internal::check_input(mesh, scalar_map, np);
-    const auto traits = internal::choose_traits<Traits>(np);
-    const OutputIterator end = internal::cut_along_found_contours(
-      mesh, scalar_map, traits, curves, np, internal::Stage_progress(progress, 0.1, 0.3),
-      internal::Stage_progress(progress, 0.3, 1), [&](const auto& ranked, const internal::Stage_progress& stage) {
-        stage(0);
-        internal::rank_vertices(ranked, scalar_map, traits);
-        stage(0.7);
-        return internal::make_contours_to_cut(ranked, contours);
-      });
-    progress.report_end();
-    return end;
-  }
-  else
-    return curves;
+  static_assert(internal::are_met<internal::Refinable_mesh<MutableFaceGraph>,
+                                  internal::Field_of_numbers<MutableFaceGraph, ScalarMap, Traits>>);
+  const internal::Progress progress(np);
+  progress.report(0);
+  internal::check_input(mesh, scalar_map, np);
+  const auto traits = internal::choose_traits<Traits>(np);
+  const OutputIterator end = internal::cut_along_found_contours(
+    mesh, scalar_map, traits, curves, np, internal::Stage_progress(progress, 0.1, 0.3),
+    internal::Stage_progress(progress, 0.3, 1), [&](const auto& ranked, const internal::Stage_progress& stage) {
+      stage(0);
+      internal::rank_vertices(ranked, scalar_map, traits);
+      stage(0.7);
+      return internal::make_contours_to_cut(ranked, contours);
+    });
+  progress.report_end();
+  return end;
 }
 
 } // namespace CGAL::Reeb_graph

@@ -406,18 +406,16 @@ Level_cut_report cut_along_levels(MutableFaceGraph& mesh,
                                   const NamedParameters& np = parameters::default_values())
 {
   typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
-  Level_cut_report report;
-  if constexpr(internal::Refinable_mesh_with_field<MutableFaceGraph, ScalarMap, Traits>::value)
-  {
-    const internal::Progress progress(np);
-    progress.report(0);
-    const auto traits = internal::choose_traits<Traits>(np);
-    const auto sorted = internal::sorted_levels(levels, traits);
-    internal::check_input(mesh, scalar_map, np);
-    report = internal::cut_along_sorted_levels(mesh, scalar_map, traits, sorted, curves, np,
-                                               internal::Stage_progress(progress, 0.1, 1));
-    progress.report_end();
-  }
+  static_assert(internal::are_met<internal::Refinable_mesh<MutableFaceGraph>,
+                                  internal::Field_of_numbers<MutableFaceGraph, ScalarMap, Traits>>);
+  const internal::Progress progress(np);
+  progress.report(0);
+  const auto traits = internal::choose_traits<Traits>(np);
+  const auto sorted = internal::sorted_levels(levels, traits);
+  internal::check_input(mesh, scalar_map, np);
+  const Level_cut_report report = internal::cut_along_sorted_levels(mesh, scalar_map, traits, sorted, curves, np,
+                                                                    internal::Stage_progress(progress, 0.1, 1));
+  progress.report_end();
   return report;
 }
 

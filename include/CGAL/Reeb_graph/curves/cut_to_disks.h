@@ -380,39 +380,35 @@ OutputIterator cut_to_disks(MutableFaceGraph& mesh,
                             OutputIterator curves,
                             const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Refinable_mesh<MutableFaceGraph>::value)
-  {
-    using parameters::get_parameter;
-    typedef typename boost::graph_traits<MutableFaceGraph>::halfedge_descriptor halfedge_descriptor;
-    const internal::Progress progress(np);
-    progress.report(0);
-    const auto vertex_point_map =
-      parameters::choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
-    const auto edges = internal::find_disk_cut(mesh, vertex_point_map, internal::Stage_progress(progress, 0.1, 0.8));
-    std::vector<Curve<halfedge_descriptor>> found;
-    for(auto& path : internal::Edge_tracing(mesh)(edges))
-      found.push_back(internal::make_curve(mesh, vertex_point_map, std::move(path), 0));
-    progress.report(0.9);
+  static_assert(internal::are_met<internal::Refinable_mesh<MutableFaceGraph>>);
+  using parameters::get_parameter;
+  typedef typename boost::graph_traits<MutableFaceGraph>::halfedge_descriptor halfedge_descriptor;
+  const internal::Progress progress(np);
+  progress.report(0);
+  const auto vertex_point_map =
+    parameters::choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
+  const auto edges = internal::find_disk_cut(mesh, vertex_point_map, internal::Stage_progress(progress, 0.1, 0.8));
+  std::vector<Curve<halfedge_descriptor>> found;
+  for(auto& path : internal::Edge_tracing(mesh)(edges))
+    found.push_back(internal::make_curve(mesh, vertex_point_map, std::move(path), 0));
+  progress.report(0.9);
 
-    auto original_map = get_parameter(np, internal::original_vertex_map);
-    const auto set_original = [&](auto old, auto created) {
-      if constexpr(internal::is_given<decltype(original_map)>)
-        put(original_map, created, old);
-    };
-    for(const auto v : vertices(mesh))
-      set_original(v, v);
-    auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
-    auto& visitor = internal::unwrap_reference(visitor_parameter);
-    internal::Opening_visitor<decltype(set_original), std::decay_t<decltype(visitor)>> opening_visitor = {set_original,
-                                                                                                          visitor};
-    internal::Curve_opening open(mesh, vertex_point_map, opening_visitor);
-    open(found);
-    internal::mark_edges_and_pieces(mesh, found, np);
-    progress.report_end();
-    return std::copy(found.begin(), found.end(), curves);
-  }
-  else
-    return curves;
+  auto original_map = get_parameter(np, internal::original_vertex_map);
+  const auto set_original = [&](auto old, auto created) {
+    if constexpr(internal::is_given<decltype(original_map)>)
+      put(original_map, created, old);
+  };
+  for(const auto v : vertices(mesh))
+    set_original(v, v);
+  auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
+  auto& visitor = internal::unwrap_reference(visitor_parameter);
+  internal::Opening_visitor<decltype(set_original), std::decay_t<decltype(visitor)>> opening_visitor = {set_original,
+                                                                                                        visitor};
+  internal::Curve_opening open(mesh, vertex_point_map, opening_visitor);
+  open(found);
+  internal::mark_edges_and_pieces(mesh, found, np);
+  progress.report_end();
+  return std::copy(found.begin(), found.end(), curves);
 }
 
 } // namespace CGAL::Reeb_graph

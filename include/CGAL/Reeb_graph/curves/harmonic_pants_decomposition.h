@@ -49,22 +49,18 @@ OutputIterator harmonic_pants_decomposition(MutableFaceGraph& mesh,
                                             OutputIterator curves,
                                             const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Refinable_mesh<MutableFaceGraph>::value)
-  {
-    const internal::Progress progress(np);
-    progress.report(0);
-    internal::check_mesh(mesh);
-    internal::check_negative_euler_characteristics(mesh);
-    const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
-    const internal::Stage_progress field_progress(progress, 0.05, 0.9);
-    compute_harmonic_field_between_borders(mesh, field_map, np.callback(field_progress.callback()));
-    const OutputIterator end =
-      internal::cut_into_pants(mesh, field_map, curves, np, internal::Stage_progress(progress, 0.9, 1));
-    progress.report_end();
-    return end;
-  }
-  else
-    return curves;
+  static_assert(internal::are_met<internal::Refinable_mesh<MutableFaceGraph>>);
+  const internal::Progress progress(np);
+  progress.report(0);
+  internal::check_mesh(mesh);
+  internal::check_negative_euler_characteristics(mesh);
+  const auto field_map = get(dynamic_vertex_property_t<double>(), mesh);
+  const internal::Stage_progress field_progress(progress, 0.05, 0.9);
+  compute_harmonic_field_between_borders(mesh, field_map, np.callback(field_progress.callback()));
+  const OutputIterator end =
+    internal::cut_into_pants(mesh, field_map, curves, np, internal::Stage_progress(progress, 0.9, 1));
+  progress.report_end();
+  return end;
 }
 
 } // namespace CGAL::Reeb_graph

@@ -128,21 +128,17 @@ std::size_t mark_arc_patches(const RankedMesh& ranked,
 template <class Mesh, class FacePatchMap, class Cut>
 std::size_t cut_and_count_patches(Mesh& mesh, FacePatchMap face_patch_map, const Cut& cut)
 {
-  if constexpr(Refinable_mesh_with_patches<Mesh, FacePatchMap>::value)
+  static_assert(are_met<Refinable_mesh<Mesh>, Writable_face_map<FacePatchMap, Mesh>>);
+  const auto patch_map = get(dynamic_face_property_t<std::size_t>(), mesh);
+  cut(patch_map);
+  std::size_t number_of_patches = 0;
+  for(const auto f : faces(mesh))
   {
-    const auto patch_map = get(dynamic_face_property_t<std::size_t>(), mesh);
-    cut(patch_map);
-    std::size_t number_of_patches = 0;
-    for(const auto f : faces(mesh))
-    {
-      const std::size_t patch = get(patch_map, f);
-      number_of_patches = (std::max)(number_of_patches, patch + 1);
-      put(face_patch_map, f, patch);
-    }
-    return number_of_patches;
+    const std::size_t patch = get(patch_map, f);
+    number_of_patches = (std::max)(number_of_patches, patch + 1);
+    put(face_patch_map, f, patch);
   }
-  else
-    return 0;
+  return number_of_patches;
 }
 
 } // namespace internal
@@ -265,24 +261,23 @@ std::size_t segment_by_arcs(MutableFaceGraph& mesh,
                             const NamedParameters& np = parameters::default_values())
 {
   typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
-  if constexpr(internal::Refinable_mesh_with_graph<MutableFaceGraph, ScalarMap, ReebGraph, Traits, FacePatchMap>::value)
-  {
-    const internal::Progress progress(np);
-    const auto stage = [&](double begin, double end) { return internal::Stage_progress(progress, begin, end); };
-    const auto traits = internal::choose_traits<Traits>(np);
-    auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
-    const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-    const Augmentation<MutableFaceGraph, ScalarMap, ReebGraph, Traits> augmentation(
-      mesh, scalar_map, graph, np.callback(stage(0, 0.05).callback())); // It checks the values before they are sorted.
-    internal::rank_vertices(ranked, scalar_map, traits);
-    const auto borders = internal::find_arc_borders(ranked, graph, augmentation, stage(0.1, 0.2));
-    const auto curves = internal::cut_and_mark(ranked, borders.contours, scalar_map, traits, np, stage(0.2, 0.65));
-    const std::size_t number_of_patches = internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
-    progress.report_end();
-    return number_of_patches;
-  }
-  else
-    return 0;
+  static_assert(internal::are_met<internal::Refinable_mesh<MutableFaceGraph>,
+                                  internal::Field_and_graph<MutableFaceGraph, ScalarMap, ReebGraph, Traits>,
+                                  internal::Scalars_are_numbers<Traits>,
+                                  internal::Writable_face_map<FacePatchMap, MutableFaceGraph>>);
+  const internal::Progress progress(np);
+  const auto stage = [&](double begin, double end) { return internal::Stage_progress(progress, begin, end); };
+  const auto traits = internal::choose_traits<Traits>(np);
+  auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
+  const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
+  const Augmentation<MutableFaceGraph, ScalarMap, ReebGraph, Traits> augmentation(
+    mesh, scalar_map, graph, np.callback(stage(0, 0.05).callback())); // It checks the values before they are sorted.
+  internal::rank_vertices(ranked, scalar_map, traits);
+  const auto borders = internal::find_arc_borders(ranked, graph, augmentation, stage(0.1, 0.2));
+  const auto curves = internal::cut_and_mark(ranked, borders.contours, scalar_map, traits, np, stage(0.2, 0.65));
+  const std::size_t number_of_patches = internal::mark_arc_patches(ranked, graph, borders, curves, face_patch_map);
+  progress.report_end();
+  return number_of_patches;
 }
 
 } // namespace CGAL::Reeb_graph

@@ -58,25 +58,25 @@ void unfold_multi_saddles(MutableFaceGraph& mesh,
                           const NamedParameters& np = parameters::default_values())
 {
   typedef internal::Chosen_traits<Reeb_graph_traits<MutableFaceGraph, ScalarMap>, NamedParameters> Traits;
-  if constexpr(internal::Refinable_mesh_with_field_and_map<MutableFaceGraph, ScalarMap, Traits, RankMap>::value)
-  {
-    const internal::Progress progress(np);
-    progress.report(0);
-    internal::check_input(mesh, scalar_map, np);
-    progress.report(0.2);
-    auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
-    const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
-    const auto traits = internal::choose_traits<Traits>(np);
-    internal::rank_vertices(ranked, scalar_map, traits);
-    progress.report(0.65);
-    internal::unfold_all_vertices(ranked);
-    progress.report(0.9);
-    ranked.keep_splits();
-    internal::Refined_field(ranked, scalar_map, traits).write_ranked_vertices();
-    for(const auto v : vertices(mesh))
-      put(rank_map, v, ranked.rank(v));
-    progress.report_end();
-  }
+  static_assert(internal::are_met<internal::Refinable_mesh<MutableFaceGraph>,
+                                  internal::Field_of_numbers<MutableFaceGraph, ScalarMap, Traits>,
+                                  internal::Writable_vertex_map<RankMap, MutableFaceGraph>>);
+  const internal::Progress progress(np);
+  progress.report(0);
+  internal::check_input(mesh, scalar_map, np);
+  progress.report(0.2);
+  auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
+  const auto ranked = internal::make_ranked_mesh(mesh, internal::unwrap_reference(visitor_parameter), np);
+  const auto traits = internal::choose_traits<Traits>(np);
+  internal::rank_vertices(ranked, scalar_map, traits);
+  progress.report(0.65);
+  internal::unfold_all_vertices(ranked);
+  progress.report(0.9);
+  ranked.keep_splits();
+  internal::Refined_field(ranked, scalar_map, traits).write_ranked_vertices();
+  for(const auto v : vertices(mesh))
+    put(rank_map, v, ranked.rank(v));
+  progress.report_end();
 }
 
 } // namespace CGAL::Reeb_graph

@@ -292,14 +292,6 @@ private:
   std::optional<Stage> last_;
 };
 
-template <class Scalar, class ReebGraph>
-constexpr bool are_types_for_ranks()
-{
-  static_assert(std::is_arithmetic_v<Scalar> && !std::is_same_v<Scalar, bool>,
-                "On ranks of MPI, scalar values are built-in numbers, and not of type bool.");
-  return std::conjunction<Graph_is_not_const<ReebGraph>, Graph_of_field<ReebGraph, Simplicial_complex, Scalar>>::value;
-}
-
 // From the parts of the surface that the ranks bring to the graph at rank 0. `Complex` is what each rank makes of its
 // triangles.
 template <class Complex,
@@ -319,6 +311,9 @@ void run_on_ranks(const boost::mpi::communicator& communicator,
   using parameters::get_parameter;
   namespace stages = Reeb_graph::internal;
   typedef std::decay_t<decltype(*std::begin(local_scalars))> Scalar;
+  static_assert(std::is_arithmetic_v<Scalar> && !std::is_same_v<Scalar, bool>,
+                "On ranks of MPI, scalar values are built-in numbers, and not of type bool.");
+  static_assert(are_met<Graph_is_not_const<ReebGraph>, Graph_of_field<ReebGraph, Simplicial_complex, Scalar>>);
   auto visitor_parameter = choose_parameter<Default_visitor>(get_parameter(np, internal_np::visitor));
   const auto method = choose_parameter(get_parameter(np, stages::method), Default_method());
   const auto ties = choose_parameter(get_parameter(np, stages::ties), Ties::PERTURB);
@@ -482,10 +477,8 @@ void compute_reeb_graph_distributed(const boost::mpi::communicator& communicator
                                     const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Reeb_graph::internal;
-  typedef std::decay_t<decltype(*std::begin(local_scalars))> Scalar;
-  if constexpr(internal::are_types_for_ranks<Scalar, ReebGraph>())
-    internal::run_on_ranks<internal::Triangle_complex>(communicator, local_vertices, local_triangles, local_scalars,
-                                                       graph, np);
+  internal::run_on_ranks<internal::Triangle_complex>(communicator, local_vertices, local_triangles, local_scalars,
+                                                     graph, np);
 }
 
 /// \ingroup PkgReebGraphRef
@@ -523,10 +516,8 @@ void compute_reeb_graph_of_soup_distributed(const boost::mpi::communicator& comm
                                             const NamedParameters& np = parameters::default_values())
 {
   namespace internal = Reeb_graph::internal;
-  typedef std::decay_t<decltype(*std::begin(local_scalars))> Scalar;
-  if constexpr(internal::are_types_for_ranks<Scalar, ReebGraph>())
-    internal::run_on_ranks<internal::Simplicial_complex>(communicator, local_vertices, local_triangles, local_scalars,
-                                                         graph, np);
+  internal::run_on_ranks<internal::Simplicial_complex>(communicator, local_vertices, local_triangles, local_scalars,
+                                                       graph, np);
 }
 
 } // namespace CGAL

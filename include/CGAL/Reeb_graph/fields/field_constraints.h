@@ -55,19 +55,16 @@ OutputIterator find_far_apart_vertices(const FaceListGraph& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  if constexpr(internal::Mesh_is_face_list_graph<FaceListGraph>::value)
-  {
-    const internal::Progress progress(np);
-    progress.report(0);
-    const fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
-    progress.report(0.3);
-    const auto pairs =
-      fields::far_apart_vertices(surface, fields::laplacian_graph(surface, Laplacian_weights::UNIFORM));
-    progress.report(0.9);
-    for(const auto& pair : pairs)
-      *out++ = std::make_pair(surface.vertex_handle(pair.first), surface.vertex_handle(pair.second));
-    progress.report_end();
-  }
+  static_assert(internal::are_met<internal::Mesh_is_face_list_graph<FaceListGraph>>);
+  const internal::Progress progress(np);
+  progress.report(0);
+  const fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
+  progress.report(0.3);
+  const auto pairs = fields::far_apart_vertices(surface, fields::laplacian_graph(surface, Laplacian_weights::UNIFORM));
+  progress.report(0.9);
+  for(const auto& pair : pairs)
+    *out++ = std::make_pair(surface.vertex_handle(pair.first), surface.vertex_handle(pair.second));
+  progress.report_end();
   return out;
 }
 

@@ -408,24 +408,22 @@ void compute_geodesic_field(const FaceListGraph& mesh,
                             const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
-  {
-    const internal::Progress progress(np);
-    progress.report(0);
-    fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
-    fields::Constraints<double> fixed(surface.number_of_vertices());
-    for(const auto v : sources)
-      fixed.fix(surface.dense_vertex(v), 0);
-    fields::Intrinsic_triangulation triangulation(surface, fields::find_opposites(mesh, surface));
-    triangulation.make_delaunay({progress, 0.1, 0.5});
-    std::vector<double> distances =
-      fields::Geodesic_distances(surface, triangulation)(fixed.is_fixed, {progress, 0.5, 0.95});
-    if(std::find(distances.begin(), distances.end(), std::numeric_limits<double>::infinity()) != distances.end())
-      fields::check_components(fields::laplacian_graph(surface, Laplacian_weights::UNIFORM), fixed.is_fixed);
-    for(double& distance : distances)
-      distance *= surface.scale();
-    fields::write_field(surface, distances, field_map, progress);
-  }
+  static_assert(internal::are_met<internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>>);
+  const internal::Progress progress(np);
+  progress.report(0);
+  fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
+  fields::Constraints<double> fixed(surface.number_of_vertices());
+  for(const auto v : sources)
+    fixed.fix(surface.dense_vertex(v), 0);
+  fields::Intrinsic_triangulation triangulation(surface, fields::find_opposites(mesh, surface));
+  triangulation.make_delaunay({progress, 0.1, 0.5});
+  std::vector<double> distances =
+    fields::Geodesic_distances(surface, triangulation)(fixed.is_fixed, {progress, 0.5, 0.95});
+  if(std::find(distances.begin(), distances.end(), std::numeric_limits<double>::infinity()) != distances.end())
+    fields::check_components(fields::laplacian_graph(surface, Laplacian_weights::UNIFORM), fixed.is_fixed);
+  for(double& distance : distances)
+    distance *= surface.scale();
+  fields::write_field(surface, distances, field_map, progress);
 }
 
 } // namespace CGAL::Reeb_graph

@@ -74,29 +74,27 @@ Field_report compute_gradient(const FaceListGraph& mesh,
   namespace fields = internal::scalar_fields;
   const internal::Progress progress(np);
   progress.report(0);
-  Field_report report;
-  if constexpr(internal::Mesh_with_face_map<FaceListGraph, FaceVectorMap>::value)
+  static_assert(internal::are_met<internal::Mesh_is_face_list_graph<FaceListGraph>,
+                                  internal::Writable_face_map<FaceVectorMap, FaceListGraph>>);
+  typedef typename boost::property_traits<FaceVectorMap>::value_type Vector_3;
+  fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
+  const Field_report report = fields::make_triangles_proper(surface);
+  progress.report(0.5);
+  auto gradients = fields::scaled_gradients(surface, fields::read_field(surface, scalar_map));
+  for(std::size_t t = 0; t != gradients.size(); ++t)
   {
-    typedef typename boost::property_traits<FaceVectorMap>::value_type Vector_3;
-    fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
-    report = fields::make_triangles_proper(surface);
-    progress.report(0.5);
-    auto gradients = fields::scaled_gradients(surface, fields::read_field(surface, scalar_map));
-    for(std::size_t t = 0; t != gradients.size(); ++t)
-    {
-      gradients[t] = gradients[t] / surface.scale();
-      if(!fields::is_finite(gradients[t]))
-        throw Non_finite_vector_error(t);
-    }
-    progress.report(0.9);
-    auto gradient = gradients.begin();
-    for(const auto f : CGAL::make_range(faces(mesh)))
-    {
-      put(gradient_map, f, Vector_3(gradient->x(), gradient->y(), gradient->z()));
-      ++gradient;
-    }
-    progress.report_end();
+    gradients[t] = gradients[t] / surface.scale();
+    if(!fields::is_finite(gradients[t]))
+      throw Non_finite_vector_error(t);
   }
+  progress.report(0.9);
+  auto gradient = gradients.begin();
+  for(const auto f : CGAL::make_range(faces(mesh)))
+  {
+    put(gradient_map, f, Vector_3(gradient->x(), gradient->y(), gradient->z()));
+    ++gradient;
+  }
+  progress.report_end();
   return report;
 }
 
@@ -146,25 +144,22 @@ Field_report compute_divergence(const FaceListGraph& mesh,
   namespace fields = internal::scalar_fields;
   const internal::Progress progress(np);
   progress.report(0);
-  Field_report report;
-  if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
+  static_assert(internal::are_met<internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>>);
+  fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
+  const Field_report report = fields::make_triangles_proper(surface);
+  progress.report(0.5);
+  std::vector<fields::Vector> vectors;
+  vectors.reserve(surface.triangles().size());
+  for(const auto f : CGAL::make_range(faces(mesh)))
   {
-    fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
-    report = fields::make_triangles_proper(surface);
-    progress.report(0.5);
-    std::vector<fields::Vector> vectors;
-    vectors.reserve(surface.triangles().size());
-    for(const auto f : CGAL::make_range(faces(mesh)))
-    {
-      const auto [x, y, z] = internal::coordinates_of(get(vector_map, f));
-      vectors.emplace_back(x, y, z);
-      if(!fields::is_finite(vectors.back()))
-        throw Non_finite_vector_error(vectors.size() - 1);
-    }
-    const auto divergences = fields::integrated_divergences(surface, vectors);
-    progress.report(0.9);
-    fields::write_field(surface, divergences, divergence_map, progress);
+    const auto [x, y, z] = internal::coordinates_of(get(vector_map, f));
+    vectors.emplace_back(x, y, z);
+    if(!fields::is_finite(vectors.back()))
+      throw Non_finite_vector_error(vectors.size() - 1);
   }
+  const auto divergences = fields::integrated_divergences(surface, vectors);
+  progress.report(0.9);
+  fields::write_field(surface, divergences, divergence_map, progress);
   return report;
 }
 

@@ -577,10 +577,8 @@ Field_report compute_harmonic_field_between_borders(const FaceListGraph& mesh,
                                                     FieldMap field_map,
                                                     const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
-    return compute_harmonic_field(mesh, field_map, internal::scalar_fields::fix_borders(mesh, np), np);
-  else
-    return Field_report();
+  static_assert(internal::are_met<internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>>);
+  return compute_harmonic_field(mesh, field_map, internal::scalar_fields::fix_borders(mesh, np), np);
 }
 
 } // namespace CGAL::Reeb_graph

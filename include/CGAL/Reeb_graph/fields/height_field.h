@@ -63,35 +63,33 @@ void compute_height_field(const VertexListGraph& mesh,
                           const Vector_3& direction,
                           const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Writable_vertex_map<FieldMap, VertexListGraph>::value)
+  static_assert(internal::are_met<internal::Writable_vertex_map<FieldMap, VertexListGraph>>);
+  const internal::Progress progress(np);
+  progress.report(0);
+  typedef typename boost::property_traits<FieldMap>::value_type Value;
+  if(!CGAL::is_finite(direction.x()) || !CGAL::is_finite(direction.y()) || !CGAL::is_finite(direction.z())
+     || (CGAL::is_zero(direction.x()) && CGAL::is_zero(direction.y()) && CGAL::is_zero(direction.z())))
+    throw Parameter_error("the direction is zero, or not finite");
+  const auto point_map = internal::choose_point_map(mesh, np);
+  typedef std::decay_t<decltype(direction.x())> Number;
+  std::vector<Number> heights;
+  for(const auto v : make_range(vertices(mesh)))
   {
-    const internal::Progress progress(np);
-    progress.report(0);
-    typedef typename boost::property_traits<FieldMap>::value_type Value;
-    if(!CGAL::is_finite(direction.x()) || !CGAL::is_finite(direction.y()) || !CGAL::is_finite(direction.z())
-       || (CGAL::is_zero(direction.x()) && CGAL::is_zero(direction.y()) && CGAL::is_zero(direction.z())))
-      throw Parameter_error("the direction is zero, or not finite");
-    const auto point_map = internal::choose_point_map(mesh, np);
-    typedef std::decay_t<decltype(direction.x())> Number;
-    std::vector<Number> heights;
-    for(const auto v : make_range(vertices(mesh)))
-    {
-      const auto& p = get(point_map, v);
-      heights.push_back(direction.x() * p.x() + direction.y() * p.y() + direction.z() * p.z());
-      if(!CGAL::is_finite(heights.back()))
-        throw Non_finite_scalar_error(heights.size() - 1);
-    }
-    progress.report(0.5);
-    std::size_t position = 0;
-    for(const auto v : make_range(vertices(mesh)))
-    {
-      if constexpr(std::is_constructible_v<Value, Number>)
-        put(field_map, v, static_cast<Value>(heights[position++]));
-      else
-        put(field_map, v, static_cast<Value>(CGAL::to_double(heights[position++])));
-    }
-    progress.report_end();
+    const auto& p = get(point_map, v);
+    heights.push_back(direction.x() * p.x() + direction.y() * p.y() + direction.z() * p.z());
+    if(!CGAL::is_finite(heights.back()))
+      throw Non_finite_scalar_error(heights.size() - 1);
   }
+  progress.report(0.5);
+  std::size_t position = 0;
+  for(const auto v : make_range(vertices(mesh)))
+  {
+    if constexpr(std::is_constructible_v<Value, Number>)
+      put(field_map, v, static_cast<Value>(heights[position++]));
+    else
+      put(field_map, v, static_cast<Value>(CGAL::to_double(heights[position++])));
+  }
+  progress.report_end();
 }
 
 } // namespace CGAL::Reeb_graph

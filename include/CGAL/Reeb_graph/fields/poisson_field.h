@@ -88,30 +88,26 @@ Field_report compute_mean_curvature(const FaceListGraph& mesh,
                                     const NamedParameters& np = parameters::default_values())
 {
   namespace fields = internal::scalar_fields;
-  if constexpr(internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
-  {
-    const internal::Progress progress(np);
-    progress.report(0);
-    fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
-    Field_report report = fields::make_triangles_proper(surface);
-    const auto weights = Laplacian_weights::COTANGENT;
-    const auto curvatures_of = [&](const internal::Weighted_graph& graph, double, double) {
-      auto values = fields::scaled_integrated_mean_curvatures(surface, graph);
-      const auto areas = fields::scaled_mixed_areas(surface);
-      for(std::size_t v = 0; v != areas.size(); ++v)
-        values[v] /= (areas[v] > 0 ? areas[v] : 1) * surface.scale();
-      fields::check_finite(values);
-      return values;
-    };
-    const internal::Weighted_graph cotangents = fields::laplacian_graph(surface, weights);
-    progress.report(0.5);
-    const auto curvatures = fields::solve_or_lengthen_edges(surface, cotangents, weights, report, curvatures_of);
-    progress.report(0.9);
-    fields::write_field(surface, curvatures, field_map, progress);
-    return report;
-  }
-  else
-    return Field_report();
+  static_assert(internal::are_met<internal::Mesh_with_vertex_map<FaceListGraph, FieldMap>>);
+  const internal::Progress progress(np);
+  progress.report(0);
+  fields::Indexed_mesh<FaceListGraph> surface(mesh, np);
+  Field_report report = fields::make_triangles_proper(surface);
+  const auto weights = Laplacian_weights::COTANGENT;
+  const auto curvatures_of = [&](const internal::Weighted_graph& graph, double, double) {
+    auto values = fields::scaled_integrated_mean_curvatures(surface, graph);
+    const auto areas = fields::scaled_mixed_areas(surface);
+    for(std::size_t v = 0; v != areas.size(); ++v)
+      values[v] /= (areas[v] > 0 ? areas[v] : 1) * surface.scale();
+    fields::check_finite(values);
+    return values;
+  };
+  const internal::Weighted_graph cotangents = fields::laplacian_graph(surface, weights);
+  progress.report(0.5);
+  const auto curvatures = fields::solve_or_lengthen_edges(surface, cotangents, weights, report, curvatures_of);
+  progress.report(0.9);
+  fields::write_field(surface, curvatures, field_map, progress);
+  return report;
 }
 
 /// \ingroup PkgReebGraphFields

@@ -162,14 +162,10 @@ double persistence(const ReebGraph& graph,
                    const Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor>& pair,
                    const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Nodes_have_numbers<ReebGraph, NamedParameters>::value)
-  {
-    const auto conversion = internal::choose_conversion_of_nodes<ReebGraph>(np);
-    return internal::persistence(conversion.to_double(graph[pair.lower_node].value),
-                                 conversion.to_double(graph[pair.upper_node].value));
-  }
-  else
-    return 0;
+  static_assert(internal::are_met<internal::Nodes_have_numbers<ReebGraph, NamedParameters>>);
+  const auto conversion = internal::choose_conversion_of_nodes<ReebGraph>(np);
+  return internal::persistence(conversion.to_double(graph[pair.lower_node].value),
+                               conversion.to_double(graph[pair.upper_node].value));
 }
 
 /// \ingroup PkgReebGraphSimplification
@@ -213,29 +209,25 @@ double persistence(const ReebGraph& graph,
 template <class ReebGraph, class OutputIterator>
 OutputIterator persistence_pairs(const ReebGraph& graph, OutputIterator pairs)
 {
-  if constexpr(internal::Plain_reeb_graph<ReebGraph>::value)
-  {
-    typedef Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Pair;
-    std::vector<Pair> found;
-    const auto add = [&](Persistence_pair_kind kind) {
-      return [&found, kind](internal::Index lower, internal::Index upper) { found.push_back({lower, upper, kind}); };
-    };
-    const std::vector<internal::Ascending_arc> arcs = internal::read_arcs(graph);
-    const internal::Index size = static_cast<internal::Index>(num_vertices(graph));
-    found.reserve(size);
-    auto components =
-      internal::sweep_over_nodes(internal::Side::LOWER, arcs, size, add(Persistence_pair_kind::MINIMUM_SADDLE));
-    internal::sweep_over_nodes(internal::Side::UPPER, arcs, size, add(Persistence_pair_kind::SADDLE_MAXIMUM));
-    const std::vector<internal::Index> highest = internal::highest_nodes(components, size);
-    for(internal::Index node = 0; node != size; ++node)
-      if(components.find(node) == node)
-        found.push_back({node, highest[node], Persistence_pair_kind::MINIMUM_MAXIMUM});
-    internal::pair_loops(arcs, size, add(Persistence_pair_kind::LOOP));
-    std::sort(found.begin(), found.end());
-    return std::copy(found.begin(), found.end(), pairs);
-  }
-  else
-    return pairs;
+  static_assert(internal::are_met<internal::Plain_reeb_graph<ReebGraph>>);
+  typedef Persistence_pair<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Pair;
+  std::vector<Pair> found;
+  const auto add = [&](Persistence_pair_kind kind) {
+    return [&found, kind](internal::Index lower, internal::Index upper) { found.push_back({lower, upper, kind}); };
+  };
+  const std::vector<internal::Ascending_arc> arcs = internal::read_arcs(graph);
+  const internal::Index size = static_cast<internal::Index>(num_vertices(graph));
+  found.reserve(size);
+  auto components =
+    internal::sweep_over_nodes(internal::Side::LOWER, arcs, size, add(Persistence_pair_kind::MINIMUM_SADDLE));
+  internal::sweep_over_nodes(internal::Side::UPPER, arcs, size, add(Persistence_pair_kind::SADDLE_MAXIMUM));
+  const std::vector<internal::Index> highest = internal::highest_nodes(components, size);
+  for(internal::Index node = 0; node != size; ++node)
+    if(components.find(node) == node)
+      found.push_back({node, highest[node], Persistence_pair_kind::MINIMUM_MAXIMUM});
+  internal::pair_loops(arcs, size, add(Persistence_pair_kind::LOOP));
+  std::sort(found.begin(), found.end());
+  return std::copy(found.begin(), found.end(), pairs);
 }
 
 } // namespace CGAL::Reeb_graph

@@ -274,18 +274,15 @@ namespace CGAL::Reeb_graph {
 template <class ReebGraph, class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> arc_persistences(const ReebGraph& graph, const NamedParameters& np = parameters::default_values())
 {
-  std::vector<double> persistences;
-  if constexpr(internal::Plain_graph_of_numbers<ReebGraph, NamedParameters>::value)
-  {
-    const std::vector<internal::Ascending_arc> arcs = internal::read_arcs(graph);
-    const std::vector<double> values = internal::numbers_of_nodes(graph, np);
-    persistences = internal::Arc_removal(arcs, values)();
-
-    const std::vector<double> ranges = internal::component_ranges(arcs, values);
-    for(std::size_t i = 0; i != arcs.size(); ++i)
-      if(persistences[i] < 0)
-        persistences[i] = ranges[arcs[i].lower];
-  }
+  static_assert(
+    internal::are_met<internal::Plain_reeb_graph<ReebGraph>, internal::Nodes_have_numbers<ReebGraph, NamedParameters>>);
+  const std::vector<internal::Ascending_arc> arcs = internal::read_arcs(graph);
+  const std::vector<double> values = internal::numbers_of_nodes(graph, np);
+  std::vector<double> persistences = internal::Arc_removal(arcs, values)();
+  const std::vector<double> ranges = internal::component_ranges(arcs, values);
+  for(std::size_t i = 0; i != arcs.size(); ++i)
+    if(persistences[i] < 0)
+      persistences[i] = ranges[arcs[i].lower];
   return persistences;
 }
 
@@ -333,16 +330,15 @@ OutputIterator simplification_thresholds(const ReebGraph& graph,
                                          OutputIterator thresholds,
                                          const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Graph_of_numbers<ReebGraph, NamedParameters>::value)
-  {
-    const std::vector<double> values = internal::numbers_of_nodes(graph, np);
-    const std::vector<double> ranges = internal::component_ranges(internal::read_arcs(graph), values);
-    if(num_edges(graph) == 0)
-      return thresholds;
-    const double range = *std::max_element(ranges.begin(), ranges.end());
-    for(const auto& threshold : internal::choose_thresholds(internal::find_thresholds(graph, values, range, np)))
-      *thresholds++ = threshold;
-  }
+  static_assert(internal::are_met<internal::Augmented_reeb_graph<ReebGraph>,
+                                  internal::Nodes_have_numbers<ReebGraph, NamedParameters>>);
+  const std::vector<double> values = internal::numbers_of_nodes(graph, np);
+  const std::vector<double> ranges = internal::component_ranges(internal::read_arcs(graph), values);
+  if(num_edges(graph) == 0)
+    return thresholds;
+  const double range = *std::max_element(ranges.begin(), ranges.end());
+  for(const auto& threshold : internal::choose_thresholds(internal::find_thresholds(graph, values, range, np)))
+    *thresholds++ = threshold;
   return thresholds;
 }
 

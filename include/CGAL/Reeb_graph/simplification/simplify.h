@@ -409,20 +409,17 @@ Simplification<ReebGraph> simplify(const ReebGraph& graph,
                                    ReebGraph& simplified,
                                    const NamedParameters& np = parameters::default_values())
 {
-  if constexpr(internal::Graph_of_numbers<ReebGraph, NamedParameters>::value)
+  static_assert(internal::are_met<internal::Augmented_reeb_graph<ReebGraph>,
+                                  internal::Nodes_have_numbers<ReebGraph, NamedParameters>>);
+  if(std::addressof(graph) == std::addressof(simplified))
   {
-    if(std::addressof(graph) == std::addressof(simplified))
-    {
-      // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): `simplified` is the same graph
-      const ReebGraph copy(graph);
-      return simplify(copy, threshold, simplified, np);
-    }
-    typedef Branch<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Branch;
-    const internal::Leaf_pruning pruned = internal::prune_graph<Branch>(graph, threshold, np);
-    return internal::write_simplified_graph(graph, pruned, simplified);
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): `simplified` is the same graph
+    const ReebGraph copy(graph);
+    return simplify(copy, threshold, simplified, np);
   }
-  else
-    return Simplification<ReebGraph>(0, 0, {}, {});
+  typedef Branch<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Branch;
+  const internal::Leaf_pruning pruned = internal::prune_graph<Branch>(graph, threshold, np);
+  return internal::write_simplified_graph(graph, pruned, simplified);
 }
 
 } // namespace CGAL::Reeb_graph

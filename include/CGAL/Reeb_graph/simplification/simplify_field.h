@@ -93,15 +93,14 @@ double simplify_field(const FaceListGraph& mesh,
   if(parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false))
     throw Parameter_error("loops of a field cannot be cancelled, but only those of a graph");
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
-  if constexpr(internal::Field_of_numbers_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value)
-    return internal::write_simplified_field<Traits>(
-      mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto& progress) {
-        std::pair<typename Traits::Graph, std::vector<internal::Index>> graph;
-        graph.second = internal::compute_with_places(flat_field, graph.first, np, progress);
-        return graph;
-      });
-  else
-    return 0;
+  static_assert(internal::are_met<internal::Field_of_numbers<FaceListGraph, ScalarMap, Traits>,
+                                  internal::Writable_vertex_map<SimplifiedScalarMap, FaceListGraph>>);
+  return internal::write_simplified_field<Traits>(
+    mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto& progress) {
+      std::pair<typename Traits::Graph, std::vector<internal::Index>> graph;
+      graph.second = internal::compute_with_places(flat_field, graph.first, np, progress);
+      return graph;
+    });
 }
 
 /// \ingroup PkgReebGraphSimplification
@@ -143,16 +142,14 @@ double simplify_field(const FaceListGraph& mesh,
   if(parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false))
     throw Parameter_error("loops of a field cannot be cancelled, but only those of a graph");
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
-  if constexpr(internal::Field_of_numbers_and_map<FaceListGraph, ScalarMap, Traits, SimplifiedScalarMap>::value
-               && internal::is_given<Place_map>)
-    return internal::write_simplified_field<Traits>(
-      mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto&) {
-        const auto map = parameters::get_parameter(np, internal::vertex_place_map);
-        return std::pair<const ReebGraph&, std::vector<internal::Index>>(graph,
-                                                                         internal::read_places(flat_field, graph, map));
-      });
-  else
-    return 0;
+  static_assert(internal::are_met<internal::Field_of_numbers<FaceListGraph, ScalarMap, Traits>,
+                                  internal::Writable_vertex_map<SimplifiedScalarMap, FaceListGraph>>);
+  return internal::write_simplified_field<Traits>(
+    mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto&) {
+      const auto map = parameters::get_parameter(np, internal::vertex_place_map);
+      return std::pair<const ReebGraph&, std::vector<internal::Index>>(graph,
+                                                                       internal::read_places(flat_field, graph, map));
+    });
 }
 
 } // namespace CGAL::Reeb_graph

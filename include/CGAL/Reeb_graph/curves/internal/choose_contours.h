@@ -411,39 +411,35 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
                                          const Choose& choose)
 {
   typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
-  if constexpr(Refinable_mesh_with_field<Mesh, ScalarMap, Traits>::value)
-  {
-    const auto traits = choose_traits<Traits>(np);
-    const auto cut = [&](const auto& map, const Stage_progress& stage) {
-      const auto find_contours = [&](const auto& ranked, const Stage_progress& finding) {
-        const auto simple = compute_simple_reeb_graph(ranked, map, traits, are_places_wanted, finding.part(0, 0.55));
-        auto choices = choose(ranked, simple, finding.part(0.55, 1));
-        return std::vector<Contour_to_cut<typename boost::graph_traits<Mesh>::halfedge_descriptor>>(
-          std::make_move_iterator(choices.begin()), std::make_move_iterator(choices.end()));
-      };
-      return cut_along_found_contours(mesh, map, traits, output, np, stage.part(0, 0.85), stage.part(0.85, 1),
-                                      find_contours);
+  static_assert(are_met<Refinable_mesh<Mesh>, Field_of_numbers<Mesh, ScalarMap, Traits>>);
+  const auto traits = choose_traits<Traits>(np);
+  const auto cut = [&](const auto& map, const Stage_progress& stage) {
+    const auto find_contours = [&](const auto& ranked, const Stage_progress& finding) {
+      const auto simple = compute_simple_reeb_graph(ranked, map, traits, are_places_wanted, finding.part(0, 0.55));
+      auto choices = choose(ranked, simple, finding.part(0.55, 1));
+      return std::vector<Contour_to_cut<typename boost::graph_traits<Mesh>::halfedge_descriptor>>(
+        std::make_move_iterator(choices.begin()), std::make_move_iterator(choices.end()));
     };
-    if(parameters::choose_parameter(parameters::get_parameter(np, borders), Borders::LEVEL) == Borders::LEVEL)
-      return cut(scalar_map, progress);
-    const auto old_vertices = CGAL::make_range(vertices(mesh));
-    const std::set<typename boost::graph_traits<Mesh>::vertex_descriptor> old(old_vertices.begin(), old_vertices.end());
-    const auto level_map = get(dynamic_vertex_property_t<typename Traits::Scalar>(), mesh);
-    for(const auto v : old)
-      put(level_map, v, get(scalar_map, v));
-    make_borders_level(mesh, level_map, np.callback(progress.part(0, 0.2).callback()));
-    const OutputIterator end = cut(level_map, progress.part(0.2, 1));
-    if constexpr(is_field_written<ScalarMap, Traits>)
-    {
-      ScalarMap written = scalar_map;
-      for(const auto v : vertices(mesh))
-        if(old.count(v) == 0)
-          put(written, v, get(level_map, v));
-    }
-    return end;
+    return cut_along_found_contours(mesh, map, traits, output, np, stage.part(0, 0.85), stage.part(0.85, 1),
+                                    find_contours);
+  };
+  if(parameters::choose_parameter(parameters::get_parameter(np, borders), Borders::LEVEL) == Borders::LEVEL)
+    return cut(scalar_map, progress);
+  const auto old_vertices = CGAL::make_range(vertices(mesh));
+  const std::set<typename boost::graph_traits<Mesh>::vertex_descriptor> old(old_vertices.begin(), old_vertices.end());
+  const auto level_map = get(dynamic_vertex_property_t<typename Traits::Scalar>(), mesh);
+  for(const auto v : old)
+    put(level_map, v, get(scalar_map, v));
+  make_borders_level(mesh, level_map, np.callback(progress.part(0, 0.2).callback()));
+  const OutputIterator end = cut(level_map, progress.part(0.2, 1));
+  if constexpr(is_field_written<ScalarMap, Traits>)
+  {
+    ScalarMap written = scalar_map;
+    for(const auto v : vertices(mesh))
+      if(old.count(v) == 0)
+        put(written, v, get(level_map, v));
   }
-  else
-    return output;
+  return end;
 }
 
 // Refines a mesh so that the curves of a pants decomposition become paths of edges, and outputs these. The input has

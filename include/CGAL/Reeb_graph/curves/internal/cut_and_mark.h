@@ -326,24 +326,6 @@ private:
   std::vector<Scalar> lower_values_, values_; // of the highest lower ends of contours, and of contours
 };
 
-// Requirements of the functions that refine a mesh on the types of their arguments.
-
-template <class Mesh, class ScalarMap, class Traits>
-using Refinable_mesh_with_field = std::conjunction<Refinable_mesh<Mesh>, Field_of_numbers<Mesh, ScalarMap, Traits>>;
-
-template <class Mesh, class ScalarMap, class Traits, class VertexMap>
-using Refinable_mesh_with_field_and_map =
-  std::conjunction<Refinable_mesh<Mesh>, Field_of_numbers_and_map<Mesh, ScalarMap, Traits, VertexMap>>;
-
-template <class Mesh, class FacePatchMap>
-using Refinable_mesh_with_patches = std::conjunction<Refinable_mesh<Mesh>, Writable_face_map<FacePatchMap, Mesh>>;
-
-template <class Mesh, class ScalarMap, class Graph, class Traits, class FacePatchMap>
-using Refinable_mesh_with_graph = std::conjunction<Refinable_mesh<Mesh>,
-                                                   Field_and_graph<Mesh, ScalarMap, Graph, Traits>,
-                                                   Scalars_are_numbers<Traits>,
-                                                   Writable_face_map<FacePatchMap, Mesh>>;
-
 template <class Mesh, class NamedParameters>
 auto choose_refinement_visitor(const Mesh&, const NamedParameters& np)
 {

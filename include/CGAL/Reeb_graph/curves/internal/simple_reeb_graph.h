@@ -159,11 +159,9 @@ template <class Mesh, class ScalarMap, class NamedParameters>
 void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const NamedParameters& np)
 {
   typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
-  if constexpr(Scalar_field<Mesh, ScalarMap, Traits>::value)
-  {
-    read_values<Sequential_tag>(Vertex_list<Mesh>(mesh), scalar_map, choose_traits<Traits>(np));
-    check_mesh(mesh);
-  }
+  static_assert(are_met<Scalar_field<Mesh, ScalarMap, Traits>>);
+  read_values<Sequential_tag>(Vertex_list<Mesh>(mesh), scalar_map, choose_traits<Traits>(np));
+  check_mesh(mesh);
 }
 
 template <class Mesh>

@@ -142,24 +142,22 @@ Field_report write_solution(const FaceListGraph& mesh,
                             const Solve& solve)
 {
   Field_report report;
-  if constexpr(Mesh_with_vertex_map<FaceListGraph, FieldMap>::value)
-  {
-    const Progress progress(np);
-    progress.report(0);
-    Indexed_mesh<FaceListGraph> surface(mesh, np);
-    if(weights != Laplacian_weights::UNIFORM)
-      report = make_triangles_proper(surface);
-    const Weighted_graph graph = laplacian_graph(surface, weights);
-    progress.report(0.1);
-    Constraints<Scalar> constraints(surface.number_of_vertices());
-    fix_vertices(surface, graph, constraints);
-    check_components(graph, constraints.is_fixed);
-    const auto values = solve_or_lengthen_edges(
-      surface, graph, weights, report, [&](const Weighted_graph& weighted_graph, double begin, double end) {
-        return solve(surface, weighted_graph, constraints, Stage_progress(progress, begin, end), report);
-      });
-    write_field(surface, values, field_map, progress);
-  }
+  static_assert(are_met<Mesh_with_vertex_map<FaceListGraph, FieldMap>>);
+  const Progress progress(np);
+  progress.report(0);
+  Indexed_mesh<FaceListGraph> surface(mesh, np);
+  if(weights != Laplacian_weights::UNIFORM)
+    report = make_triangles_proper(surface);
+  const Weighted_graph graph = laplacian_graph(surface, weights);
+  progress.report(0.1);
+  Constraints<Scalar> constraints(surface.number_of_vertices());
+  fix_vertices(surface, graph, constraints);
+  check_components(graph, constraints.is_fixed);
+  const auto values = solve_or_lengthen_edges(
+    surface, graph, weights, report, [&](const Weighted_graph& weighted_graph, double begin, double end) {
+      return solve(surface, weighted_graph, constraints, Stage_progress(progress, begin, end), report);
+    });
+  write_field(surface, values, field_map, progress);
   return report;
 }
 

@@ -26,9 +26,14 @@
 
 // Requirements of the public functions on the types of their arguments. Each one is a class whose instantiation is an
 // error with a message if it is not met, and whose `value` tells whether it is. Conjunctions combine them such that none
-// is looked at behind one that is not met, and functions do nothing then: so the compiler says one message, and no more.
+// is looked at behind one that is not met.
 
 namespace CGAL::Reeb_graph::internal {
+
+// Says the message of the first requirement that is not met, in a static_assert at the head of a function. It is true in
+// any case, so that no other message follows: compilers look at no more functions that are called behind an error.
+template <class... Requirements>
+inline constexpr bool are_met = (std::conjunction<Requirements...>::value, true);
 
 // A type, for a base class, that is named after the requirement has told what does not fit.
 template <class Requirement, class Type, bool = Requirement::value>
@@ -155,9 +160,6 @@ using Mesh_with_vertex_map = std::conjunction<Mesh_is_face_list_graph<Mesh>, Wri
 template <class Map, class Mesh>
 using Writable_face_map = std::conjunction<Map_is_property_map<Map>, Keys_are_faces<Map, Mesh>, Map_is_writable<Map>>;
 
-template <class Mesh, class Map>
-using Mesh_with_face_map = std::conjunction<Mesh_is_face_list_graph<Mesh>, Writable_face_map<Map, Mesh>>;
-
 // ---- Scalar values
 
 template <class Traits, class Less>
@@ -198,10 +200,6 @@ using Mesh_with_numbers = std::conjunction<Mesh_with_scalars<Mesh, ScalarMap>, S
 
 template <class Mesh, class ScalarMap, class Traits>
 using Field_of_numbers = std::conjunction<Scalar_field<Mesh, ScalarMap, Traits>, Scalars_are_numbers<Traits>>;
-
-template <class Mesh, class ScalarMap, class Traits, class VertexMap>
-using Field_of_numbers_and_map =
-  std::conjunction<Field_of_numbers<Mesh, ScalarMap, Traits>, Writable_vertex_map<VertexMap, Mesh>>;
 
 template <class Mesh>
 struct Mesh_can_be_refined : Has<Added_edge, Mesh>
@@ -336,16 +334,10 @@ struct Nodes_have_values : Has<Value_of_node, Graph>
                 "The nodes of the graph have no scalar values: their property needs a member `value`.");
 };
 
+// Values that are numbers, if need be by the named parameter geom_traits.
 template <class Graph, class NamedParameters>
 using Nodes_have_numbers =
   std::conjunction<Nodes_have_values<Graph>, Scalars_are_numbers<Traits_of_nodes<Graph, NamedParameters>>>;
-
-// Graphs whose values are numbers, if need be by the named parameter geom_traits.
-template <class Graph, class NamedParameters>
-using Plain_graph_of_numbers = std::conjunction<Plain_reeb_graph<Graph>, Nodes_have_numbers<Graph, NamedParameters>>;
-
-template <class Graph, class NamedParameters>
-using Graph_of_numbers = std::conjunction<Augmented_reeb_graph<Graph>, Nodes_have_numbers<Graph, NamedParameters>>;
 
 template <class Graph, class Mesh, class Scalar>
 using Graph_of_field = std::conjunction<Augmented_reeb_graph<Graph>,

@@ -85,11 +85,6 @@ template <class Graph, class Map>
 using Graph_and_vertex_map =
   std::conjunction<Augmented_reeb_graph<Graph>, Map_is_property_map<Map>, Keys_are_vertices_of_nodes<Graph, Map>>;
 
-// A graph and a map of the vertices of its mesh, for functions that write its values.
-template <class Graph, class Map, class NamedParameters>
-using Graph_to_write =
-  std::conjunction<Graph_and_vertex_map<Graph, Map>, Scalars_can_be_written<Traits_of_nodes<Graph, NamedParameters>>>;
-
 // How many bytes the character takes that a text begins with, in UTF-8; 0 if there is none.
 inline std::size_t size_of_character(std::string_view text)
 {
