@@ -320,8 +320,7 @@ Level_cut_report cut_along_sorted_levels(Mesh& mesh,
       if constexpr(is_written)
         put(scalar_map, created, static_cast<typename Traits::Scalar>(get(scalar_map, old)));
     };
-    Opening_visitor<decltype(copy_value), std::decay_t<decltype(visitor)>> opening_visitor = {copy_value, visitor};
-    Curve_opening open(mesh, ranked.vertex_point_map(), opening_visitor);
+    Curve_opening open(mesh, ranked.vertex_point_map(), visitor, copy_value);
     open(curves);
   }
   mark_edges_and_pieces(mesh, curves, np);

@@ -17,8 +17,8 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
-#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 
 #include <CGAL/number_utils.h>
 
@@ -402,9 +402,7 @@ OutputIterator cut_to_disks(MutableFaceGraph& mesh,
     set_original(v, v);
   auto visitor_parameter = internal::choose_refinement_visitor(mesh, np);
   auto& visitor = internal::unwrap_reference(visitor_parameter);
-  internal::Opening_visitor<decltype(set_original), std::decay_t<decltype(visitor)>> opening_visitor = {set_original,
-                                                                                                        visitor};
-  internal::Curve_opening open(mesh, vertex_point_map, opening_visitor);
+  internal::Curve_opening open(mesh, vertex_point_map, visitor, set_original);
   open(found);
   internal::mark_edges_and_pieces(mesh, found, np);
   progress.report_end();

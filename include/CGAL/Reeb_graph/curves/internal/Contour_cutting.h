@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -21,6 +22,7 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/unordered_set.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -134,6 +136,16 @@ struct Contour_to_cut
   }
 };
 
+// The numbers of the contours in ascending order.
+template <class HalfedgeDescriptor>
+std::vector<std::size_t> sorted_contours(const std::vector<Contour_to_cut<HalfedgeDescriptor>>& contours)
+{
+  std::vector<std::size_t> order(contours.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return contours[a] < contours[b]; });
+  return order;
+}
+
 // Refines a mesh so that contours become paths of edges. Two contours that cross one edge are either the same, or one
 // is above the other all along, so that an order of all of them is one along each edge, too.
 template <class RankedMesh>
@@ -179,87 +191,69 @@ public:
   }
 
 private:
-  // Sorts the crossings of each edge by level, as it takes the contours in ascending order.
+  // Numbers the edges as they are met, and sorts the crossings of each one by level, as it takes the contours in ascending
+  // order.
   void sort_crossings()
-  {
-    number_edges();
-    std::vector<std::size_t> order(contours_.size()), next(first_crossings_.begin(), first_crossings_.end());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return contours_[a] < contours_[b]; });
-    crossings_.resize(first_crossings_.back());
-    for(const std::size_t contour : order)
-    {
-      std::size_t number = first_numbers_[contour];
-      for(std::size_t i = 0; i != contours_[contour].halfedges.size(); ++i, ++number)
-        crossings_[next[edge_numbers_[number]]++] = {contour, number};
-    }
-  }
-
-  void number_edges()
   {
     const auto edge_number_map = get(dynamic_edge_property_t<std::size_t>(), mesh_);
     for(const auto e : edges(mesh_))
       put(edge_number_map, e, 0);
-    first_crossings_.assign(1, 0);
+    first_numbers_.assign(1, 0);
     for(const Contour& contour : contours_)
     {
-      first_numbers_.push_back(edge_numbers_.size());
+      first_numbers_.push_back(first_numbers_.back() + contour.halfedges.size());
       for(const halfedge_descriptor h : contour.halfedges)
       {
-        std::size_t number = get(edge_number_map, edge(h, mesh_));
-        if(number == 0)
-        {
-          crossed_edges_.push_back(h);
-          first_crossings_.push_back(0);
-          number = crossed_edges_.size();
-          put(edge_number_map, edge(h, mesh_), number);
-        }
-        edge_numbers_.push_back(number - 1);
-        ++first_crossings_[number];
+        if(get(edge_number_map, edge(h, mesh_)) != 0)
+          continue;
+        crossed_edges_.push_back(h);
+        put(edge_number_map, edge(h, mesh_), crossed_edges_.size());
       }
     }
-    std::partial_sum(first_crossings_.begin(), first_crossings_.end(), first_crossings_.begin());
+    const std::vector<std::size_t> order = sorted_contours(contours_);
+    crossings_ = Buckets<Edge_index, Crossing>(crossed_edges_.size(), [&](const auto& visit) {
+      for(const std::size_t contour : order)
+      {
+        std::size_t number = first_numbers_[contour];
+        for(const halfedge_descriptor h : contours_[contour].halfedges)
+          visit(Edge_index(get(edge_number_map, edge(h, mesh_)) - 1), Crossing{contour, number++});
+      }
+    });
   }
 
   void collect_faces()
   {
-    const auto is_listed = get(dynamic_face_property_t<bool>(), mesh_);
-    for(const face_descriptor f : faces(mesh_))
-      put(is_listed, f, false);
+    boost::unordered_set<face_descriptor> listed;
     for(const halfedge_descriptor h : crossed_edges_)
       for(const halfedge_descriptor side : {h, opposite(h, mesh_)})
-      {
-        if(is_border(side, mesh_) || get(is_listed, face(side, mesh_)))
-          continue;
-        put(is_listed, face(side, mesh_), true);
-        crossed_faces_.push_back(face(side, mesh_));
-      }
+        if(!is_border(side, mesh_) && listed.insert(face(side, mesh_)).second)
+          crossed_faces_.push_back(face(side, mesh_));
   }
 
   void split_edge(std::size_t edge)
   {
     const halfedge_descriptor h = crossed_edges_[edge];
     const vertex_descriptor u = source(h, mesh_), w = target(h, mesh_);
-    place_crossings(edge, u, w);
+    const auto crossings = crossings_[Edge_index(edge)];
+    place_crossings(crossings, u, w);
     for(std::size_t i = 0; i != fractions_.size(); ++i)
     {
-      const Crossing& crossing = crossings_[first_crossings_[edge] + i];
       const halfedge_descriptor first = ranked_.split_edge(h, u, w, fractions_[i]);
-      put(crossing_map_, target(first, mesh_), crossing.number + 1);
+      put(crossing_map_, target(first, mesh_), crossings.begin()[i].number + 1);
     }
   }
 
   // Places the crossings where the values of their contours are on the edge, but keeps them apart from each other and
   // from the ends.
-  void place_crossings(std::size_t edge, vertex_descriptor u, vertex_descriptor w)
+  template <class Crossings>
+  void place_crossings(const Crossings& crossings, vertex_descriptor u, vertex_descriptor w)
   {
-    const std::size_t size = first_crossings_[edge + 1] - first_crossings_[edge];
+    const std::size_t size = crossings.size();
     const double number = static_cast<double>(size), step = 0.4 / (number + 1), margin = 0.1 / (number + 1);
     fractions_.resize(size);
     for(std::size_t i = 0; i != size; ++i)
     {
-      const double value = contours_[crossings_[first_crossings_[edge] + i].contour].value;
+      const double value = contours_[crossings.begin()[i].contour].value;
       const double lowest = i == 0 ? margin : fractions_[i - 1] + step;
       fractions_[i] = (std::max)(lowest, ranked_.crossing_fraction(u, w, value));
     }
@@ -277,7 +271,7 @@ private:
 
   void set_path(halfedge_descriptor segment)
   {
-    path_.resize(edge_numbers_.size());
+    path_.resize(crossings_.size());
     path_[get(crossing_map_, source(segment, mesh_)) - 1] = segment;
   }
 
@@ -299,11 +293,9 @@ private:
   const std::vector<Contour>& contours_;
   // The number of its crossing for each new vertex, plus one.
   typename boost::property_map<Mesh, dynamic_vertex_property_t<std::size_t>>::type crossing_map_;
-  std::vector<std::size_t> first_numbers_; // number of the first crossing, by contour
-  std::vector<std::size_t> edge_numbers_;  // number of the edge, by crossing
+  std::vector<std::size_t> first_numbers_; // number of the first crossing, by contour, and one more
   std::vector<halfedge_descriptor> crossed_edges_;
-  std::vector<std::size_t> first_crossings_; // positions in crossings_, by edge, and one more
-  std::vector<Crossing> crossings_;          // crossings of one edge after the other, ascending
+  Buckets<Edge_index, Crossing> crossings_; // ascending on each edge
   std::vector<face_descriptor> crossed_faces_;
   std::vector<halfedge_descriptor> path_; // halfedge of the curve that leaves a crossing, by crossing
   std::vector<double> fractions_;

@@ -23,6 +23,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/unordered_set.hpp>
 
 #include <algorithm>
 #include <array>
@@ -379,9 +380,7 @@ void split_chords(const RankedMesh& ranked, Level_borders<typename RankedMesh::M
   typedef typename RankedMesh::halfedge_descriptor halfedge_descriptor;
   auto& mesh = ranked.mesh();
   std::vector<halfedge_descriptor> chords;
-  const auto is_listed = get(dynamic_edge_property_t<bool>(), mesh);
-  for(const auto e : edges(mesh))
-    put(is_listed, e, false);
+  boost::unordered_set<typename RankedMesh::edge_descriptor> listed;
   for(const auto& border : borders.borders)
     for(const auto v : border.vertices)
       for(const halfedge_descriptor h : halfedges_around_target(v, mesh))
@@ -389,10 +388,8 @@ void split_chords(const RankedMesh& ranked, Level_borders<typename RankedMesh::M
         const auto u = source(h, mesh);
         const bool is_chord = borders.is_on_border(u) && borders.border_of(u).group == border.group
                            && !is_border(h, mesh) && !is_border(opposite(h, mesh), mesh);
-        if(!is_chord || get(is_listed, edge(h, mesh)))
-          continue;
-        put(is_listed, edge(h, mesh), true);
-        chords.push_back(h);
+        if(is_chord && listed.insert(edge(h, mesh)).second)
+          chords.push_back(h);
       }
   const Long_index step = rank_spacing / 2 / (chords.size() + 1);
   for(const halfedge_descriptor h : chords)

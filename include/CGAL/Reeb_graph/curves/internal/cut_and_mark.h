@@ -18,7 +18,7 @@
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -32,7 +32,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <unordered_map>
@@ -172,10 +171,7 @@ public:
       for(const Contour& contour : contours)
         lower_values_.push_back(end_value(contour, false));
       values_ = lower_values_;
-      std::vector<std::size_t> order(contours.size());
-      std::iota(order.begin(), order.end(), std::size_t(0));
-      std::stable_sort(order.begin(), order.end(),
-                       [&](std::size_t a, std::size_t b) { return contours[a] < contours[b]; });
+      const std::vector<std::size_t> order = sorted_contours(contours);
       // first above those below it, then, where there was no number left, below those above it
       for_each_contour(contours, order.begin(), order.end(), [&](std::size_t i, const std::vector<std::size_t>& lower) {
         std::optional<Scalar> below = lower_values_[i];

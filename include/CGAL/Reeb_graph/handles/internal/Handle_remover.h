@@ -17,7 +17,7 @@
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
+#include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -205,23 +205,14 @@ public:
   template <class Make>
   const T& operator()(const Make& make) const
   {
-    if(!part_->is_made.load(std::memory_order_acquire))
-    {
-      const std::lock_guard<std::mutex> lock(part_->mutex);
-      if(!part_->is_made.load(std::memory_order_relaxed))
-      {
-        part_->value = make();
-        part_->is_made.store(true, std::memory_order_release);
-      }
-    }
+    std::call_once(part_->is_made, [&] { part_->value = make(); });
     return part_->value;
   }
 
 private:
   struct Part
   {
-    std::atomic<bool> is_made{false};
-    std::mutex mutex;
+    std::once_flag is_made;
     T value;
   };
 

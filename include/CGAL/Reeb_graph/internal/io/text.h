@@ -18,6 +18,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <boost/locale/utf.hpp>
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -85,32 +87,20 @@ template <class Graph, class Map>
 using Graph_and_vertex_map =
   std::conjunction<Augmented_reeb_graph<Graph>, Map_is_property_map<Map>, Keys_are_vertices_of_nodes<Graph, Map>>;
 
-// How many bytes the character takes that a text begins with, in UTF-8; 0 if there is none.
-inline std::size_t size_of_character(std::string_view text)
-{
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const unsigned first = byte(0), second = byte(1);
-  if(first < 0x80)
-    return text.empty() ? 0 : 1;
-  const std::size_t size = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
-  for(std::size_t i = 1; i < size; ++i)
-    if((byte(i) & 0xC0U) != 0x80)
-      return 0;
-  const bool is_too_long = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool is_surrogate = first == 0xED && second > 0x9F;
-  const bool is_none = (first == 0xF4 && second > 0x8F) || (first == 0xEF && second == 0xBF && byte(2) > 0xBD);
-  return is_too_long || is_surrogate || is_none ? 0 : size;
-}
-
 // The text with the replacement character for each byte that is no part of a character in UTF-8.
 inline std::string to_utf8(std::string_view text)
 {
   std::string result;
-  while(!text.empty())
+  for(auto byte = text.begin(), next = byte; byte != text.end(); byte = next)
   {
-    const std::size_t size = size_of_character(text);
-    result += size == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, size);
-    text.remove_prefix(size == 0 ? 1 : size);
+    const auto character = boost::locale::utf::utf_traits<char>::decode(next, text.end());
+    if(boost::locale::utf::is_valid_codepoint(character) && (character | 1) != 0xFFFF)
+      result.append(byte, next);
+    else
+    {
+      result += "\xEF\xBF\xBD";
+      next = byte + 1;
+    }
   }
   return result;
 }
