@@ -225,19 +225,16 @@ void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
                                         ReebGraph& graph,
                                         const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using Reeb_graph::Stage;
   namespace stages = Reeb_graph::internal;
 
-  auto visitor_parameter = choose_parameter<Reeb_graph::Default_visitor>(get_parameter(np, internal_np::visitor));
+  auto visitor_parameter = stages::parameter_or(np, internal_np::visitor, Reeb_graph::Default_visitor());
   auto& visitor = stages::unwrap_reference(visitor_parameter);
   const stages::Progress progress(np);
-  const auto ties = choose_parameter(get_parameter(np, stages::ties), Reeb_graph::Ties::PERTURB);
-  const auto method = choose_parameter(get_parameter(np, stages::method), stages::Default_method());
-  const bool are_degree_two_nodes_kept = choose_parameter(get_parameter(np, stages::keep_degree_two_nodes), false);
-  const auto number_of_slabs =
-    choose_parameter(get_parameter(np, stages::number_of_slabs), stages::Default_number_of_slabs());
+  const auto ties = stages::parameter_or(np, stages::ties, Reeb_graph::Ties::PERTURB);
+  const auto method = stages::parameter_or(np, stages::method, stages::Default_method());
+  const bool are_degree_two_nodes_kept = stages::parameter_or(np, stages::keep_degree_two_nodes, false);
+  const auto number_of_slabs = stages::parameter_or(np, stages::number_of_slabs, stages::Default_number_of_slabs());
   auto places = stages::choose_places(np);
 
   progress.report(0);

@@ -628,7 +628,7 @@ BOOST_AUTO_TEST_CASE(attributes_are_written)
   BOOST_TEST(json.str().find("\"a \\\"b\\\", <c>\": 0.25, \"whole\": -7") != std::string::npos);
   BOOST_TEST(csv.str().find(",\"a \"\"b\"\", <c>\",whole\n") != std::string::npos);
   BOOST_TEST(csv.str().find(",0.25,-7\n") != std::string::npos);
-  BOOST_TEST(vtp.str().find("Name=\"a &quot;b&quot;, &lt;c>\"") != std::string::npos);
+  BOOST_TEST(vtp.str().find("Name=\"a &quot;b&quot;, &lt;c&gt;\"") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_of_attributes_are_counted)

@@ -342,9 +342,8 @@ protected:
   // From what a GraphOnMesh is made of besides a traits class, the named parameters, and the progress.
   template <class NamedParameters, class... Input>
   Basic_augmentation(const internal::Progress& progress, const NamedParameters& np, const Input&... input)
-    : ties_(parameters::choose_parameter(parameters::get_parameter(np, internal::ties), Ties::PERTURB)),
-      are_degree_two_nodes_kept_(
-        parameters::choose_parameter(parameters::get_parameter(np, internal::keep_degree_two_nodes), false)),
+    : ties_(internal::parameter_or(np, internal::ties, Ties::PERTURB)),
+      are_degree_two_nodes_kept_(internal::parameter_or(np, internal::keep_degree_two_nodes, false)),
       on_mesh_(input..., internal::choose_traits<Traits>(np), np, progress),
       simplified_places_(internal::read_simplified_places(np))
   {

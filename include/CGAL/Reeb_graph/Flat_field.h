@@ -79,9 +79,9 @@ public:
     : mesh_(&mesh),
       counts_(internal::count_elements(mesh))
   {
-    if constexpr(Is_field<ScalarMap, NamedParameters>::value)
-      flat_values_ =
-        std::make_shared<Flat_values>(internal::flatten<Sequential_tag>(mesh, scalar_map, traits<ScalarMap>(np), np));
+    static_assert(internal::are_met<Is_field<ScalarMap, NamedParameters>>);
+    flat_values_ =
+      std::make_shared<Flat_values>(internal::flatten<Sequential_tag>(mesh, scalar_map, traits<ScalarMap>(np), np));
   }
 
   /// replaces the values. Only they are read, and checked.
@@ -96,17 +96,14 @@ public:
   template <class ScalarMap, class NamedParameters = parameters::Default_named_parameters>
   void set_values(const ScalarMap& scalar_map, const NamedParameters& np = parameters::default_values())
   {
-    if constexpr(Is_field<ScalarMap, NamedParameters>::value)
-    {
-      check_mesh(*mesh_);
-      const auto& flat_mesh = flat_values_->mesh;
-      auto values =
-        internal::read_values<Sequential_tag>(flat_mesh->numbers.vertices, scalar_map, traits<ScalarMap>(np));
-      if(flat_values_.use_count() == 1)
-        flat_values_->values = std::move(values);
-      else // What shares them keeps its values.
-        flat_values_ = std::make_shared<Flat_values>(Flat_values{flat_mesh, std::move(values)});
-    }
+    static_assert(internal::are_met<Is_field<ScalarMap, NamedParameters>>);
+    check_mesh(*mesh_);
+    const auto& flat_mesh = flat_values_->mesh;
+    auto values = internal::read_values<Sequential_tag>(flat_mesh->numbers.vertices, scalar_map, traits<ScalarMap>(np));
+    if(flat_values_.use_count() == 1)
+      flat_values_->values = std::move(values);
+    else // What shares them keeps its values.
+      flat_values_ = std::make_shared<Flat_values>(Flat_values{flat_mesh, std::move(values)});
   }
 
   /// returns the mesh.

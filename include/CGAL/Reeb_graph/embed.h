@@ -314,12 +314,10 @@ public:
   template <class NamedParameters>
   bool embed_at_centroids(std::size_t most_crossings, const NamedParameters& np)
   {
-    using parameters::choose_parameter;
     using parameters::get_parameter;
-    const std::size_t number_of_contours =
-      choose_parameter(get_parameter(np, internal::number_of_contours), std::size_t(12));
+    const std::size_t number_of_contours = internal::parameter_or(np, internal::number_of_contours, std::size_t(12));
     const std::size_t number_of_contours_at_nodes =
-      choose_parameter(get_parameter(np, internal::number_of_contours_at_nodes), std::size_t(0));
+      internal::parameter_or(np, internal::number_of_contours_at_nodes, std::size_t(0));
     const auto parametrization_map = get_parameter(np, internal::parametrization_map);
     const Centroid_polylines<Augmentation, PointMap> centroids(augmentation_, point_map_);
     std::vector<Contours_of_arc> contours(arcs_.size());
@@ -345,7 +343,7 @@ public:
     separate_parallel_arcs(graph_, contours);
     embed_straight();
     for(std::size_t i = 0; i != arcs_.size(); ++i)
-      add_inner_points(contours[i], choose_parameter(get_parameter(np, number_of_smoothing_steps), std::size_t(0)),
+      add_inner_points(contours[i], internal::parameter_or(np, number_of_smoothing_steps, std::size_t(0)),
                        result.arc_polylines[i], result.arc_values[i]);
     return true;
   }
@@ -379,12 +377,10 @@ private:
 template <class ConcurrencyTag, class Augmentation, class PointMap, class NamedParameters>
 auto embed_in_manner(const Augmentation& augmentation, const PointMap& point_map, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   const Progress progress(np);
   Graph_embedder<ConcurrencyTag, Augmentation, PointMap> embedder(augmentation, point_map, progress);
   Embedding_manner& manner = embedder.result.manner;
-  manner = choose_parameter(get_parameter(np, internal::embedding_manner), Embedding_manner::BY_COST);
+  manner = internal::parameter_or(np, internal::embedding_manner, Embedding_manner::BY_COST);
   std::size_t most_crossings = (std::numeric_limits<std::size_t>::max)();
   if(manner == Embedding_manner::BY_COST)
   {

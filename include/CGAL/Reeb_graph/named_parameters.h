@@ -42,6 +42,13 @@ std::false_type test_named_parameters(const void*);
 template <class T>
 inline constexpr bool are_named_parameters = decltype(test_named_parameters(std::declval<const T*>()))::value;
 
+// The named parameter, or else the default.
+template <class NamedParameters, class Tag, class Default>
+auto parameter_or(const NamedParameters& np, Tag tag, const Default& default_value)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, tag), default_value);
+}
+
 // The traits class: the named parameter geom_traits, or else the default.
 template <class Default, class NamedParameters>
 auto choose_traits(const NamedParameters& np)
@@ -69,8 +76,7 @@ T& unwrap_reference(std::reference_wrapper<T>& parameter)
 template <class FaceGraph, class NamedParameters>
 auto choose_point_map(const FaceGraph& mesh, const NamedParameters& np)
 {
-  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                      get_const_property_map(CGAL::vertex_point, mesh));
+  return parameter_or(np, internal_np::vertex_point, get_const_property_map(CGAL::vertex_point, mesh));
 }
 
 template <class FaceGraph, class NamedParameters>

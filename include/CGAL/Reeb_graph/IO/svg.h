@@ -145,24 +145,6 @@ inline std::string pixels(double length)
   return to_string_with_precision(rounded == 0 ? 0. : rounded, 9);
 }
 
-// Text as XML has it.
-inline std::string escape_xml(const std::string& text)
-{
-  std::string escaped;
-  for(const char c : xml_characters(text))
-  {
-    switch(c)
-    {
-    case '&': escaped += "&amp;"; break;
-    case '<': escaped += "&lt;"; break;
-    case '>': escaped += "&gt;"; break;
-    case '"': escaped += "&quot;"; break;
-    default: escaped += c;
-    }
-  }
-  return escaped;
-}
-
 // A text in a drawing, and the box that it takes at most.
 struct Svg_text
 {
@@ -510,10 +492,9 @@ void write_svg(const internal::Output& output,
 {
   static_assert(internal::are_met<internal::Augmented_reeb_graph<ReebGraph>,
                                   internal::Nodes_have_numbers<ReebGraph, NamedParameters>>);
-  using parameters::choose_parameter;
   using parameters::get_parameter;
-  const std::string name = choose_parameter(get_parameter(np, internal::field_name), std::string("value"));
-  const std::string unit = choose_parameter(get_parameter(np, internal::field_unit), std::string());
+  const std::string name = internal::parameter_or(np, internal::field_name, std::string("value"));
+  const std::string unit = internal::parameter_or(np, internal::field_unit, std::string());
   const auto vertex_index_map = get_parameter(np, internal_np::vertex_index);
   const std::string unit_text = unit.empty() ? "" : ' ' + unit;
   const std::vector<double> values = internal::numbers_of_nodes(graph, np), heights = internal::drawn_values(values);

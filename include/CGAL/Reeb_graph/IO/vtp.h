@@ -102,7 +102,7 @@ public:
   {
     out_ << '<' << tag;
     if(!active_array.empty())
-      out_ << " Scalars=\"" << escape(active_array) << '"';
+      out_ << " Scalars=\"" << escape_xml(active_array) << '"';
     out_ << ">\n";
     write_arrays();
     out_ << "</" << tag << ">\n";
@@ -111,8 +111,8 @@ public:
   template <class Number>
   void write_array(const std::string& name, const std::vector<Number>& numbers, std::size_t number_of_components = 1)
   {
-    out_ << "<DataArray type=\"" << type_name<Number>() << "\" Name=\"" << escape(name) << "\" NumberOfComponents=\""
-         << number_of_components << "\" format=\"binary\">\n";
+    out_ << "<DataArray type=\"" << type_name<Number>() << "\" Name=\"" << escape_xml(name)
+         << "\" NumberOfComponents=\"" << number_of_components << "\" format=\"binary\">\n";
     const std::uint64_t size = numbers.size() * sizeof(Number);
     std::vector<unsigned char> bytes(sizeof size + size);
     std::memcpy(bytes.data(), &size, sizeof size);
@@ -139,14 +139,6 @@ private:
   {
     const std::string kind = std::is_floating_point_v<Number> ? "Float" : std::is_signed_v<Number> ? "Int" : "UInt";
     return kind + std::to_string(8 * sizeof(Number));
-  }
-
-  static std::string escape(const std::string& text)
-  {
-    std::string result;
-    for(const char c : xml_characters(text))
-      result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-    return result;
   }
 
   std::ostream& out_;

@@ -314,7 +314,7 @@ Level_cut_report cut_along_sorted_levels(Mesh& mesh,
       put(scalar_map, added.vertex, levels[added.level]);
   auto curves = curves_of_levels(ranked, numbers);
   write_bands(ranked, np);
-  if(parameters::choose_parameter(parameters::get_parameter(np, cut_open), false))
+  if(internal::parameter_or(np, cut_open, false))
   {
     const auto copy_value = [&](auto old, auto created) {
       if constexpr(is_written)

@@ -386,7 +386,7 @@ OutputIterator cut_to_disks(MutableFaceGraph& mesh,
   const internal::Progress progress(np);
   progress.report(0);
   const auto vertex_point_map =
-    parameters::choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
+    internal::parameter_or(np, internal_np::vertex_point, get_property_map(vertex_point, mesh));
   const auto edges = internal::find_disk_cut(mesh, vertex_point_map, internal::Stage_progress(progress, 0.1, 0.8));
   std::vector<Curve<halfedge_descriptor>> found;
   for(auto& path : internal::Edge_tracing(mesh)(edges))

@@ -307,19 +307,18 @@ void run_on_ranks(const boost::mpi::communicator& communicator,
                   ReebGraph& graph,
                   const NamedParameters& np)
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
   namespace stages = Reeb_graph::internal;
   typedef std::decay_t<decltype(*std::begin(local_scalars))> Scalar;
   static_assert(std::is_arithmetic_v<Scalar> && !std::is_same_v<Scalar, bool>,
                 "On ranks of MPI, scalar values are built-in numbers, and not of type bool.");
   static_assert(are_met<Graph_is_not_const<ReebGraph>, Graph_of_field<ReebGraph, Simplicial_complex, Scalar>>);
-  auto visitor_parameter = choose_parameter<Default_visitor>(get_parameter(np, internal_np::visitor));
-  const auto method = choose_parameter(get_parameter(np, stages::method), Default_method());
-  const auto ties = choose_parameter(get_parameter(np, stages::ties), Ties::PERTURB);
-  const bool are_degree_two_nodes_kept = choose_parameter(get_parameter(np, stages::keep_degree_two_nodes), false);
-  const bool are_chains_gathered = choose_parameter(get_parameter(np, stages::gather_chains), true);
-  const std::size_t number_of_slabs = choose_parameter(get_parameter(np, stages::number_of_slabs), std::size_t(0));
+  auto visitor_parameter = stages::parameter_or(np, internal_np::visitor, Default_visitor());
+  const auto method = stages::parameter_or(np, stages::method, Default_method());
+  const auto ties = stages::parameter_or(np, stages::ties, Ties::PERTURB);
+  const bool are_degree_two_nodes_kept = stages::parameter_or(np, stages::keep_degree_two_nodes, false);
+  const bool are_chains_gathered = stages::parameter_or(np, stages::gather_chains, true);
+  const std::size_t number_of_slabs = stages::parameter_or(np, stages::number_of_slabs, std::size_t(0));
   auto slab_parameter = get_parameter(np, stages::slab_of_rank);
   constexpr bool is_slab_wanted = is_given<decltype(slab_parameter)>;
 

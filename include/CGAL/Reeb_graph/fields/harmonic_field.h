@@ -361,8 +361,7 @@ Field_report write_harmonic_field(const FaceListGraph& mesh,
                                   const FixVertices& fix_vertices)
 {
   typedef Scalar_of_field<FieldMap> Scalar;
-  const auto weights = parameters::choose_parameter(parameters::get_parameter(np, internal::laplacian_weights),
-                                                    Laplacian_weights::MEAN_VALUE);
+  const auto weights = internal::parameter_or(np, internal::laplacian_weights, Laplacian_weights::MEAN_VALUE);
   const auto solve = [&](const Indexed_surface& surface, const Weighted_graph& graph,
                          const Constraints<Scalar>& constraints, const Stage_progress& progress, Field_report& report) {
     const Unit_range<Scalar> range(constraints);

@@ -114,15 +114,13 @@ Border_level_changes make_borders_level(const FaceListGraph& mesh,
                                         ScalarMap scalar_map,
                                         const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   typedef internal::Chosen_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>, NamedParameters> Traits;
   static_assert(internal::are_met<internal::Field_of_numbers<FaceListGraph, ScalarMap, Traits>,
                                   internal::Writable_vertex_map<ScalarMap, FaceListGraph>>);
   return internal::scalar_fields::write_level_borders<Border_level_changes>(
     mesh, scalar_map, internal::choose_traits<Traits>(np),
-    choose_parameter(get_parameter(np, internal::border_extremum), Border_extremum::AUTOMATIC),
-    choose_parameter(get_parameter(np, internal::collar_width), std::size_t(3)), internal::Progress(np));
+    internal::parameter_or(np, internal::border_extremum, Border_extremum::AUTOMATIC),
+    internal::parameter_or(np, internal::collar_width, std::size_t(3)), internal::Progress(np));
 }
 
 } // namespace CGAL::Reeb_graph

@@ -238,8 +238,6 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
                                                                ScalarMap scalar_map,
                                                                const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   const internal::Progress progress(np);
   progress.report(0);
   const auto traits = internal::choose_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>>(np);
@@ -250,9 +248,9 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
     mesh, flat_field.flat_values(mesh)->mesh, internal::choose_point_map(mesh, np));
   const std::shared_ptr<internal::Loop_finder> found =
     internal::make_loop_finder(std::move(closing->surface()), internal::Stage_progress(progress, 0.1, 0.2));
-  const bool are_checked = choose_parameter(get_parameter(np, internal::check_self_intersections), true);
-  const bool are_ignored = choose_parameter(get_parameter(np, internal::ignore_self_intersections), false);
-  const bool are_short = choose_parameter(get_parameter(np, internal::shorten_loops), true);
+  const bool are_checked = internal::parameter_or(np, internal::check_self_intersections, true);
+  const bool are_ignored = internal::parameter_or(np, internal::ignore_self_intersections, false);
+  const bool are_short = internal::parameter_or(np, internal::shorten_loops, true);
   std::vector<std::size_t> self_intersections;
   const auto find_self_intersections = [&] {
     if(!are_checked)

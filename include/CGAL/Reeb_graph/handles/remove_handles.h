@@ -99,24 +99,21 @@ std::vector<Handle_removal<typename boost::graph_traits<MutableFaceGraph>::verte
   double size,
   const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   static_assert(internal::are_met<internal::Refinable_mesh<MutableFaceGraph>>);
   if(!(size >= 0))
     throw Parameter_error("the size of handles is negative or not a number (NaN)");
   const internal::Progress progress(np);
   progress.report(0);
   internal::check_mesh(mesh);
-  const auto point_map =
-    choose_parameter(get_parameter(np, internal_np::vertex_point), get_property_map(vertex_point, mesh));
+  const auto point_map = internal::parameter_or(np, internal_np::vertex_point, get_property_map(vertex_point, mesh));
   auto visitor_parameter =
-    choose_parameter<Default_refinement_visitor<MutableFaceGraph>>(get_parameter(np, internal_np::visitor));
+    internal::parameter_or(np, internal_np::visitor, Default_refinement_visitor<MutableFaceGraph>());
   auto& visitor = internal::unwrap_reference(visitor_parameter);
   internal::Handle_remover<MutableFaceGraph, std::decay_t<decltype(point_map)>, std::decay_t<decltype(visitor)>> remove(
     mesh, point_map, visitor, internal::task_runner<ConcurrencyTag>());
-  const auto result = remove(
-    size, choose_parameter(get_parameter(np, internal::number_of_handles), (std::numeric_limits<std::size_t>::max)()),
-    !choose_parameter(get_parameter(np, internal::ignore_self_intersections), false), progress);
+  const auto result =
+    remove(size, internal::parameter_or(np, internal::number_of_handles, (std::numeric_limits<std::size_t>::max)()),
+           !internal::parameter_or(np, internal::ignore_self_intersections, false), progress);
   progress.report_end();
   return result;
 }

@@ -203,8 +203,7 @@ std::vector<Simplification_threshold> find_thresholds(const ReebGraph& graph,
                                                       const NamedParameters& np)
 {
   typedef Branch<typename boost::graph_traits<ReebGraph>::vertex_descriptor> Branch;
-  const bool are_loops_cancelled =
-    parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false);
+  const bool are_loops_cancelled = internal::parameter_or(np, internal::cancel_loops, false);
   const Pruning_history history =
     are_loops_cancelled ? Pruning_history{{}, arc_persistences(graph, np)} : prune_step_by_step(graph, values);
   const auto& persistences = history.persistences;

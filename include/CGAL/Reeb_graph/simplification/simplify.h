@@ -199,12 +199,10 @@ bool remove_small_loops(Leaf_pruning& graph, const IsSmall& is_small)
 template <class Branch, class ReebGraph, class NamedParameters>
 Leaf_pruning prune_graph(const ReebGraph& graph, double threshold, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   if(!(threshold >= 0))
     throw Parameter_error("the threshold of simplification is negative or not a number (NaN)");
-  const std::size_t leaves = choose_parameter(get_parameter(np, number_of_leaves), std::size_t(0));
-  const bool are_loops_cancelled = choose_parameter(get_parameter(np, cancel_loops), false);
+  const std::size_t leaves = internal::parameter_or(np, number_of_leaves, std::size_t(0));
+  const bool are_loops_cancelled = internal::parameter_or(np, cancel_loops, false);
 
   Leaf_pruning pruned(static_cast<Index>(num_vertices(graph)), read_arcs(graph),
                       read_place_weights(num_vertices(graph) + num_edges(graph), np));

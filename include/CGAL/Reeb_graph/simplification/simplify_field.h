@@ -90,14 +90,14 @@ double simplify_field(const FaceListGraph& mesh,
 {
   static_assert(!internal::is_given<decltype(parameters::get_parameter(np, internal_np::geom_traits))>,
                 "simplify_field() knows the order of operator< only: it takes no named parameter geom_traits.");
-  if(parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false))
+  if(internal::parameter_or(np, internal::cancel_loops, false))
     throw Parameter_error("loops of a field cannot be cancelled, but only those of a graph");
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
   static_assert(internal::are_met<internal::Field_of_numbers<FaceListGraph, ScalarMap, Traits>,
                                   internal::Writable_vertex_map<SimplifiedScalarMap, FaceListGraph>>);
   return internal::write_simplified_field<Traits>(
     mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto& progress) {
-      std::pair<typename Traits::Graph, std::vector<internal::Index>> graph;
+      std::pair<typename Traits::Graph, internal::Place_of_vertex> graph;
       graph.second = internal::compute_with_places(flat_field, graph.first, np, progress);
       return graph;
     });
@@ -139,16 +139,17 @@ double simplify_field(const FaceListGraph& mesh,
                 "simplify_field() with a graph needs the named parameter vertex_place_map.");
   static_assert(!internal::is_given<decltype(parameters::get_parameter(np, internal_np::geom_traits))>,
                 "simplify_field() knows the order of operator< only: it takes no named parameter geom_traits.");
-  if(parameters::choose_parameter(parameters::get_parameter(np, internal::cancel_loops), false))
+  if(internal::parameter_or(np, internal::cancel_loops, false))
     throw Parameter_error("loops of a field cannot be cancelled, but only those of a graph");
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
   static_assert(internal::are_met<internal::Field_of_numbers<FaceListGraph, ScalarMap, Traits>,
                                   internal::Writable_vertex_map<SimplifiedScalarMap, FaceListGraph>>);
   return internal::write_simplified_field<Traits>(
     mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto&) {
-      const auto map = parameters::get_parameter(np, internal::vertex_place_map);
-      return std::pair<const ReebGraph&, std::vector<internal::Index>>(graph,
-                                                                       internal::read_places(flat_field, graph, map));
+      return std::pair<const ReebGraph&, internal::Place_of_vertex>(
+        graph, internal::read_places(*flat_field.flat_values(mesh)->mesh,
+                                     parameters::get_parameter(np, internal::vertex_place_map),
+                                     num_vertices(graph) + num_edges(graph)));
     });
 }
 

@@ -108,12 +108,10 @@ struct Branch_thresholds
   const NamedParameters& named_parameters;
 
   explicit Branch_thresholds(const NamedParameters& np)
-    : persistence(parameters::choose_parameter(parameters::get_parameter(np, persistence_threshold), 0.)),
-      area(CGAL::to_double(
-        parameters::choose_parameter(parameters::get_parameter(np, internal_np::area_threshold), 0.))), // of any type
-      vertex_count(static_cast<double>(
-        parameters::choose_parameter(parameters::get_parameter(np, vertex_count_threshold), std::size_t(0)))),
-      measure(parameters::choose_parameter(parameters::get_parameter(np, measure_threshold), 0.)),
+    : persistence(internal::parameter_or(np, persistence_threshold, 0.)),
+      area(CGAL::to_double(internal::parameter_or(np, internal_np::area_threshold, 0.))), // of any type
+      vertex_count(static_cast<double>(internal::parameter_or(np, vertex_count_threshold, std::size_t(0)))),
+      measure(internal::parameter_or(np, measure_threshold, 0.)),
       named_parameters(np)
   {
     static_assert(has_measure == is_given<decltype(parameters::get_parameter(np, measure_threshold))>,
@@ -284,15 +282,13 @@ auto choose_along_paths(const RankedMesh& ranked,
                         const NamedParameters& np,
                         const Stage_progress& progress)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   typedef Chosen_contour<typename RankedMesh::halfedge_descriptor> Choice;
   const auto& graph = simple.graph;
   const std::vector<typename Simple_reeb_graph<RankedMesh>::Graph::edge_descriptor> arcs(edges(graph).first,
                                                                                          edges(graph).second);
-  const auto cost = choose_parameter<DefaultCost>(get_parameter(np, curve_cost));
+  const auto cost = internal::parameter_or(np, curve_cost, DefaultCost());
   const std::size_t most =
-    (std::max)(choose_parameter(get_parameter(np, number_of_candidates), std::size_t(16)), std::size_t(1));
+    (std::max)(internal::parameter_or(np, number_of_candidates, std::size_t(16)), std::size_t(1));
   const Augmentation<typename RankedMesh::Mesh, typename RankedMesh::Rank_map> augmentation(
     ranked.mesh(), ranked.rank_map(), graph,
     parameters::ties(Ties::CONTRACT).callback(progress.part(0, 0.2).callback()));
@@ -360,7 +356,7 @@ auto choose_cutting_system(const RankedMesh& ranked,
                            const NamedParameters& np,
                            const Stage_progress& progress)
 {
-  const auto weight = parameters::choose_parameter<Length_of_curve>(parameters::get_parameter(np, arc_weight));
+  const auto weight = internal::parameter_or(np, arc_weight, Length_of_curve());
   const std::size_t number_of_nodes = num_vertices(simple.graph);
   const auto paths = paths_of_retract(read_arcs(simple.graph), std::vector<bool>(number_of_nodes, false));
   auto candidates = choose_along_paths<Length_of_curve>(ranked, simple, paths, np, progress);
@@ -423,7 +419,7 @@ OutputIterator cut_along_chosen_contours(Mesh& mesh,
     return cut_along_found_contours(mesh, map, traits, output, np, stage.part(0, 0.85), stage.part(0.85, 1),
                                     find_contours);
   };
-  if(parameters::choose_parameter(parameters::get_parameter(np, borders), Borders::LEVEL) == Borders::LEVEL)
+  if(internal::parameter_or(np, borders, Borders::LEVEL) == Borders::LEVEL)
     return cut(scalar_map, progress);
   const auto old_vertices = CGAL::make_range(vertices(mesh));
   const std::set<typename boost::graph_traits<Mesh>::vertex_descriptor> old(old_vertices.begin(), old_vertices.end());

@@ -325,15 +325,14 @@ private:
 template <class Mesh, class NamedParameters>
 auto choose_refinement_visitor(const Mesh&, const NamedParameters& np)
 {
-  return parameters::choose_parameter<Default_refinement_visitor<Mesh>>(
-    parameters::get_parameter(np, internal_np::visitor));
+  return internal::parameter_or(np, internal_np::visitor, Default_refinement_visitor<Mesh>());
 }
 
 template <class Mesh, class Visitor, class NamedParameters>
 auto make_ranked_mesh(Mesh& mesh, Visitor& visitor, const NamedParameters& np)
 {
-  const auto vertex_point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                             get_property_map(vertex_point, mesh));
+  const auto vertex_point_map =
+    internal::parameter_or(np, internal_np::vertex_point, get_property_map(vertex_point, mesh));
   return Ranked_mesh<Mesh, std::decay_t<decltype(vertex_point_map)>, Visitor>(mesh, vertex_point_map, visitor);
 }
 
@@ -492,7 +491,6 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   const NamedParameters& np,
   const Stage_progress& progress)
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
   auto& mesh = ranked.mesh();
   check_face_count(number_of_faces_cut_along(mesh, contours), np);
@@ -504,7 +502,7 @@ std::vector<Curve<typename RankedMesh::halfedge_descriptor>> cut_and_mark(
   auto curves = Contour_cutting<RankedMesh>(ranked, contours)(progress.part(0.05, 0.8));
   progress(0.8);
   ranked.keep_splits();
-  if(choose_parameter(get_parameter(np, cut_open), false))
+  if(internal::parameter_or(np, cut_open, false))
   {
     Curve_opening open(mesh, ranked.vertex_point_map(), ranked.visitor());
     open(curves);

@@ -433,8 +433,7 @@ Dirichlet_solution solve_dirichlet_problem(const Dirichlet_equations& equations,
                                            double least_range,
                                            const NamedParameters& np)
 {
-  const double tolerance =
-    parameters::choose_parameter(parameters::get_parameter(np, internal::solver_tolerance), 1e-12);
+  const double tolerance = internal::parameter_or(np, internal::solver_tolerance, 1e-12);
   if(!(tolerance > 0) || !std::isfinite(tolerance))
     throw Solver_tolerance_error(tolerance);
   const Accuracy accuracy = {tolerance, least_range};

@@ -355,6 +355,27 @@ struct Mesh_numbers
   std::function<Vertex_index(typename Vertex_list<FaceListGraph>::vertex_descriptor)> number_of;
 };
 
+// By vertex, places in a graph as a map has them, which compute_reeb_graph() has been given; no_index where there is none.
+typedef Indexed_vector<Vertex_index, Index> Place_of_vertex;
+
+template <class FlatMesh, class PlaceMap>
+Place_of_vertex read_places(const FlatMesh& flat_mesh, const PlaceMap& map, std::size_t number_of_places)
+{
+  using boost::get; // for a pointer, whatever has been included before
+  Place_of_vertex places(flat_mesh.complex.number_of_vertices(), no_index);
+  for(const Vertex_index v : places.keys())
+  {
+    if(!flat_mesh.complex.has_vertex(v))
+      continue;
+    // A negative one is too large then.
+    const auto place = static_cast<std::size_t>(get(map, flat_mesh.numbers.vertices[v]));
+    if(place >= number_of_places)
+      throw Graph_mismatch_error();
+    places[v] = static_cast<Index>(place);
+  }
+  return places;
+}
+
 // A mesh with its field by numbers, as the pipeline takes it.
 template <class Complex, class FaceListGraph, class Scalar>
 struct Complex_with_field

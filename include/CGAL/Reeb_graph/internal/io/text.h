@@ -115,6 +115,24 @@ inline std::string xml_characters(const std::string& text)
   return result;
 }
 
+// Text as XML has it.
+inline std::string escape_xml(const std::string& text)
+{
+  std::string escaped;
+  for(const char c : xml_characters(text))
+  {
+    switch(c)
+    {
+    case '&': escaped += "&amp;"; break;
+    case '<': escaped += "&lt;"; break;
+    case '>': escaped += "&gt;"; break;
+    case '"': escaped += "&quot;"; break;
+    default: escaped += c;
+    }
+  }
+  return escaped;
+}
+
 // Whether std::to_chars() writes such numbers.
 template <class Value>
 #ifdef __cpp_lib_to_chars

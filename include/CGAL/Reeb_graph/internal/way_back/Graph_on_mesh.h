@@ -62,7 +62,8 @@ public:
   Graph_on_complex& operator=(const Graph_on_complex&) = delete;
 
   const ReebGraph& graph() const { return graph_; }
-  const Complex& complex() const { return flat_values_->mesh->complex; }
+  const Flat_mesh<FaceListGraph>& flat_mesh() const { return *flat_values_->mesh; }
+  const Complex& complex() const { return flat_mesh().complex; }
   const Order& order() const { return order_; }
   auto arcs() const { return CGAL::make_range(edges(graph_)); }
   const auto& chain(arc_descriptor arc) const { return graph_[arc].chain; }
@@ -109,7 +110,6 @@ protected:
     progress.report(0.8);
   }
 
-  const Flat_mesh<FaceListGraph>& flat_mesh() const { return *flat_values_->mesh; }
   const Mesh_numbers<FaceListGraph>& numbers() const { return flat_mesh().numbers; }
 
 private:

@@ -41,8 +41,6 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-typedef Indexed_vector<Vertex_index, Index> Place_of_vertex; // no_index where there is no vertex
-
 struct Place_tag;
 typedef Index_of<Place_tag> Place_index;
 
@@ -378,24 +376,6 @@ Place_of_vertex find_places(const Complex& complex,
   return find_vertex_places<ConcurrencyTag>(complex, order, critical_vertices, arcs, arc_of_vertex, graph, ties);
 }
 
-// The places of all vertices in the exact graph as a map has them, which compute_reeb_graph() has been given.
-template <class GraphOnMesh, class PlaceMap>
-Place_of_vertex read_places(const GraphOnMesh& on_mesh, const PlaceMap& map, std::size_t number_of_places)
-{
-  using boost::get; // for a pointer, whatever has been included before
-  Place_of_vertex places(on_mesh.complex().number_of_vertices(), no_index);
-  for(const Vertex_index v : places.keys())
-  {
-    if(!on_mesh.complex().has_vertex(v))
-      continue;
-    const auto place = static_cast<std::size_t>(get(map, on_mesh.vertex(v))); // A negative one is too large then.
-    if(place >= number_of_places)
-      throw Graph_mismatch_error();
-    places[v] = static_cast<Index>(place);
-  }
-  return places;
-}
-
 // The places of all vertices in the graph, which has to be the exact one, or one that this has been simplified to.
 template <class ConcurrencyTag, class VertexPlaces, class GraphOnMesh, class NamedParameters>
 VertexPlaces locate_vertices(const GraphOnMesh& on_mesh,
@@ -412,7 +392,7 @@ VertexPlaces locate_vertices(const GraphOnMesh& on_mesh,
   auto place_of_vertex = std::make_shared<Place_of_vertex>();
   if constexpr(is_given<decltype(given_map)>)
     *place_of_vertex =
-      read_places(on_mesh, given_map, simplified_places ? simplified_places->size() : number_of_places);
+      read_places(on_mesh.flat_mesh(), given_map, simplified_places ? simplified_places->size() : number_of_places);
   else
   {
     const auto check_graph = [&](const Flat_graph& flat_graph) {

@@ -422,39 +422,20 @@ CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(CGAL_REEB_GRAPH_PERTURBED_VALUES)
 
 // Computes the graph with the places of the vertices, by their numbers.
 template <class Graph, class FlatField, class NamedParameters>
-std::vector<Index> compute_with_places(const FlatField& flat_field,
-                                       Graph& graph,
-                                       const NamedParameters& np,
-                                       const Stage_progress& progress)
+Place_of_vertex compute_with_places(const FlatField& flat_field,
+                                    Graph& graph,
+                                    const NamedParameters& np,
+                                    const Stage_progress& progress)
 {
   const auto flat_mesh = flat_field.flat_values(flat_field.mesh())->mesh;
   const auto& numbers = flat_mesh->numbers;
-  std::vector<Index> places(flat_mesh->complex.number_of_vertices(), no_index);
+  Place_of_vertex places(flat_mesh->complex.number_of_vertices(), no_index);
   const auto place_map = boost::make_function_property_map<typename FlatField::key_type, Index&>(
-    [&](const auto& v) -> Index& { return places[numbers.number_of(v).number()]; });
+    [&](const auto& v) -> Index& { return places[numbers.number_of(v)]; });
   const auto np_of_graph = np.callback(progress.callback());
   compute_reeb_graph(
     flat_field.mesh(), flat_field, graph,
     Reeb_parameters<decltype(place_map), vertex_place_map_t, decltype(np_of_graph)>(place_map, np_of_graph));
-  return places;
-}
-
-// The places of the vertices in a graph that has been computed already.
-template <class FlatField, class Graph, class PlaceMap>
-std::vector<Index> read_places(const FlatField& flat_field, const Graph& graph, const PlaceMap& place_map)
-{
-  using boost::get; // for a pointer, whatever has been included before
-  const auto flat_mesh = flat_field.flat_values(flat_field.mesh())->mesh;
-  std::vector<Index> places(flat_mesh->complex.number_of_vertices(), no_index);
-  for(const Vertex_index number : flat_mesh->complex.vertices())
-  {
-    if(!flat_mesh->complex.has_vertex(number))
-      continue;
-    const auto place = static_cast<std::size_t>(get(place_map, flat_mesh->numbers.vertices[number]));
-    if(place >= num_vertices(graph) + num_edges(graph))
-      throw Graph_mismatch_error();
-    places[number.number()] = static_cast<Index>(place);
-  }
   return places;
 }
 
@@ -463,7 +444,7 @@ std::vector<Index> read_places(const FlatField& flat_field, const Graph& graph, 
 template <class Branch, class Graph, class FlatField, class NamedParameters>
 auto simplified_values(FlatField& flat_field,
                        const Graph& graph,
-                       const std::vector<Index>& places,
+                       const Place_of_vertex& places,
                        double threshold,
                        const NamedParameters& np,
                        const Stage_progress& progress)
@@ -480,7 +461,7 @@ auto simplified_values(FlatField& flat_field,
     saddles.push_back(place == no_index ? no_index : saddles_of_places[place]);
   const auto& given_values = flat_field.flat_values(mesh)->values;
   std::vector<Scalar> values(given_values.begin(), given_values.end());
-  if(parameters::choose_parameter(parameters::get_parameter(np, ties), Ties::PERTURB) == Ties::CONTRACT)
+  if(internal::parameter_or(np, ties, Ties::PERTURB) == Ties::CONTRACT)
     return contracted_values(graph, saddles, std::move(values));
   if constexpr(std::is_floating_point_v<Scalar>)
   {
@@ -494,7 +475,7 @@ auto simplified_values(FlatField& flat_field,
     compute_reeb_graph(mesh, flat_field, graph_of_moved, parameters::callback(progress.part(0.75, 1).callback()));
     const std::vector<Index> nodes = vertices_of_nodes(numbers, graph_of_moved);
     const auto place_of_node = [&](std::size_t node) {
-      const Index place = places[nodes[node]];
+      const Index place = places[Vertex_index(nodes[node])];
       return place < num_vertices(graph) ? simplification.index_of_node(place)
                                          : simplification.index_of_arc(place - num_vertices(graph));
     };
