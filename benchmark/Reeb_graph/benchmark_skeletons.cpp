@@ -7,18 +7,23 @@
 // Author(s)     : The Reeb_graph authors
 
 // Times of curve skeletons with their certificates, beside CGAL's mean curvature flow skeletons of the same surfaces in the
-// same run.
+// same run; and, of meshes in files, how good both are: how far they are from the middle, how much they turn, and how much
+// of them is inside. Those of the manual are characters among the meshes that CGAL comes with.
 //
-// Usage: benchmark_skeletons [REPETITIONS] [NUMBERS OF VERTICES...]
+// Usage: benchmark_skeletons [REPETITIONS] [NUMBERS OF VERTICES | FILES...]
 
 #include "generated_surfaces.h"
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/standing_figure.h"
 #include "measurements.h"
+#include "skeleton_quality.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/split_graph_into_polylines.h>
 #include <CGAL/extract_mean_curvature_flow_skeleton.h>
 
 #include <cstddef>
@@ -51,14 +56,94 @@ void measure(const std::string& name, const generated_surfaces::Triangle_soup& s
               known.number_of_crossing_edges);
   std::fflush(stdout);
 }
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Exact_kernel;
+typedef CGAL::Surface_mesh<Exact_kernel::Point_3> Exact_mesh;
+typedef benchmark::Skeleton_judge<Exact_kernel, Exact_mesh> Judge;
+typedef CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton Flow_skeleton;
+
+Exact_kernel::Point_3 converted(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+// Takes the polylines of a graph.
+struct Line_taking
+{
+  const Flow_skeleton& graph;
+  Judge::Lines& lines;
+
+  void start_new_polyline() { lines.emplace_back(); }
+  void add_node(Flow_skeleton::vertex_descriptor v) { lines.back().push_back(converted(graph[v].point)); }
+  void end_polyline() {}
+};
+
+Judge::Lines lines_of(const Flow_skeleton& flow)
+{
+  Judge::Lines lines;
+  Line_taking taking{flow, lines};
+  CGAL::split_graph_into_polylines(flow, taking);
+  return lines;
+}
+
+Judge::Lines lines_of(const CGAL::Reeb_graph::Curve_skeleton<Mesh>& skeleton)
+{
+  Judge::Lines lines;
+  for(const auto& arc : skeleton_arcs(skeleton))
+  {
+    lines.emplace_back();
+    for(const auto v : arc)
+      lines.back().push_back(converted(skeleton[v].point));
+  }
+  return lines;
+}
+
+void print_quality(const char* name, const benchmark::Skeleton_quality& quality, double turning, double milliseconds)
+{
+  std::printf("  %-10s %9.3f %9.2f %8.1f %% %6zu %9.0f\n", name, quality.centered, quality.turning / turning,
+              100 * quality.inside, quality.ends, milliseconds);
+}
+
+void compare(const std::string& path)
+{
+  Mesh mesh;
+  Exact_mesh exact;
+  if(!CGAL::IO::read_polygon_mesh(path, mesh) || !CGAL::IO::read_polygon_mesh(path, exact))
+  {
+    std::fprintf(stderr, "%s cannot be read\n", path.c_str());
+    std::exit(EXIT_FAILURE);
+  }
+  const Judge judge(exact);
+  const std::size_t samples = 500;
+  Flow_skeleton flow;
+  const double time_of_flow = benchmark::milliseconds([&] { CGAL::extract_mean_curvature_flow_skeleton(mesh, flow); });
+  const auto quality_of_flow = judge(lines_of(flow), samples);
+  std::printf("%s, %zu vertices\n", path.c_str(), std::size_t(mesh.number_of_vertices()));
+  print_quality("flow", quality_of_flow, quality_of_flow.turning, time_of_flow);
+  for(const double smooth : {0., 1.})
+  {
+    CGAL::Reeb_graph::Curve_skeleton<Mesh> skeleton;
+    const double time = benchmark::milliseconds(
+      [&] { CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton, CGAL::parameters::smooth(smooth)); });
+    print_quality(smooth > 0 ? "ours" : "not moved", judge(lines_of(skeleton), samples), quality_of_flow.turning, time);
+  }
+  std::fflush(stdout);
+}
 } // namespace
 
 int main(int argc, char* argv[])
 {
   const std::size_t repetitions = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 3;
   std::vector<std::size_t> sizes;
+  std::vector<std::string> files;
   for(int i = 2; i < argc; ++i)
-    sizes.push_back(std::strtoul(argv[i], nullptr, 10));
+    if(const std::size_t size = std::strtoul(argv[i], nullptr, 10))
+      sizes.push_back(size);
+    else
+      files.push_back(argv[i]);
+  if(!files.empty())
+    std::printf("  %-10s %9s %9s %10s %6s %9s\n", "lines", "centered", "turning", "inside", "ends", "[ms]");
+  for(const std::string& file : files)
+    compare(file);
+  if(sizes.empty() && !files.empty())
+    return EXIT_SUCCESS;
   if(sizes.empty())
     sizes = {20000, 50000};
   std::printf("%-10s %9s %12s %12s %8s %6s %6s %8s %8s\n", "surface", "vertices", "flow [ms]", "ours [ms]", "ratio",

@@ -50,6 +50,8 @@ std::vector<std::filesystem::path> check_options(const Skeleton_command_options&
     throw std::runtime_error("--sampling-ratio has to be from 0.01 to 100");
   if(!(options.input.least_share >= 0 && options.input.least_share <= 1))
     throw std::runtime_error("--least-piece has to be from 0 to 1");
+  if(!(options.settings.smooth >= 0 && options.settings.smooth <= 100))
+    throw std::runtime_error("--smooth has to be from 0 to 100");
   check_outputs(outputs, input_files(options.input));
   return outputs;
 }

@@ -138,6 +138,7 @@ Skeleton extract_skeleton(const Surface& surface,
   Progress_bar progress_bar("skeleton");
   const auto np = CGAL::parameters::pruning_ratio(settings.pruning_ratio)
                     .sampling_ratio(settings.sampling_ratio)
+                    .smooth(settings.smooth)
                     .ends_at_borders(settings.are_borders_ends)
                     .callback(std::ref(progress_bar));
   skeleton.certificate = scalar_map

@@ -41,6 +41,7 @@ struct Skeleton_settings
   double pruning_ratio = 0.5;
   double sampling_ratio = 0.5;
   bool are_borders_ends = true;
+  double smooth = 1;
   std::optional<Skeleton_place> root = std::nullopt; // of trees
 };
 

@@ -231,7 +231,7 @@ void separate_parallel_arcs(const Graph& graph, std::vector<Contours_of_arc>& co
 }
 
 // Replaces each inner point by the mean of itself and the middle of its neighbors, as many times as given.
-inline void smooth(std::vector<Coordinates>& points, std::size_t number_of_steps)
+inline void smooth_inner_points(std::vector<Coordinates>& points, std::size_t number_of_steps)
 {
   for(std::size_t step = 0; step != number_of_steps; ++step)
   {
@@ -358,7 +358,7 @@ private:
     std::vector<Coordinates> line = {coordinates_of(polyline.front())};
     line.insert(line.end(), contours.centroids.begin(), contours.centroids.end());
     line.push_back(coordinates_of(polyline.back()));
-    smooth(line, number_of_smoothing_steps);
+    smooth_inner_points(line, number_of_smoothing_steps);
     const Point last = polyline.back();
     polyline.pop_back();
     for(std::size_t j = 1; j + 1 < line.size(); ++j)

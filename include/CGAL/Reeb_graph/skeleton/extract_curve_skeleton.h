@@ -44,11 +44,14 @@ Skeleton_options choose_options(const NamedParameters& np)
   Skeleton_options options;
   options.pruning_ratio = choose_parameter(get_parameter(np, internal::pruning_ratio), options.pruning_ratio);
   options.sampling_ratio = choose_parameter(get_parameter(np, internal::sampling_ratio), options.sampling_ratio);
+  options.smooth = choose_parameter(get_parameter(np, internal::smooth), options.smooth);
   options.are_borders_ends = choose_parameter(get_parameter(np, internal::ends_at_borders), options.are_borders_ends);
   if(!(options.pruning_ratio >= 0))
     throw Parameter_error("the pruning ratio has to be at least 0");
   if(!(options.sampling_ratio >= 0.01 && options.sampling_ratio <= 100))
     throw Parameter_error("the sampling ratio has to be from 0.01 to 100");
+  if(!(options.smooth >= 0 && options.smooth <= 100))
+    throw Parameter_error("the smoothness has to be from 0 to 100");
   return options;
 }
 
@@ -165,13 +168,15 @@ void add_component(const Reading& reading,
 /// in multi-saddles, which are counted.
 ///
 /// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. Loops are led
-/// along the surface where they would not wind around a hole, by linking numbers with curves on it. So no vertex is outside,
+/// along the surface where they would not wind around a hole, by linking numbers with curves on it. At last, lines are moved
+/// to where the sum of length by distance from the surface is least, with a price on bends; junctions nearer to each
+/// other than the surface are joined, and lines within a quarter of that from where they part. Each step is taken only if the
+/// surface does not meet what it sweeps. So no vertex is outside,
 /// no edge crosses a component that does not intersect itself, and no loop can be pulled to a point there. What remains on
 /// others, or where the numbers of the points end, is counted.
 /// Where a border passes a point twice, as at both sides of a slit, it is closed there, and what is left on one line is no end.
 /// The order of vertices does not matter if no two are at the same place, and neither does a unit that is a power of two.
-/// Each component is looked at without the others. The lines are not promised to be centered: where the surface is no
-/// tube, as in flat or ball-shaped parts, a center of a contour is as good as any other place.
+/// Each component is looked at without the others. In balls and flat parts, which have no axis, a line is one of many.
 ///
 /// It takes \f$ O(n \log n + s \sqrt{n}) \f$ time for \f$ n \f$ vertices and a skeleton of \f$ s \f$, on surfaces whose
 /// contours are short, as those of tubes. On noise, contours can be as long as the surface is large, but most branches are
@@ -209,6 +214,13 @@ void add_component(const Reading& reading,
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.5}
 ///     \cgalParamExtra{use the functions `parameters::sampling_ratio()`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{smooth}
+///     \cgalParamDescription{the price of bends when lines are moved to the middle, and how far points are left out of straight
+///                           parts, from 0 to 100. 0 leaves lines at the centers of contours.}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{1}
+///     \cgalParamExtra{use the functions `parameters::smooth()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{ends_at_borders}
 ///     \cgalParamDescription{whether each border is an end. If not, as for a scan with holes that are no openings, they

@@ -33,7 +33,7 @@
 namespace CGAL::Reeb_graph {
 namespace internal::skeleton {
 
-// The beginning of an arc at a junction: a line that leaves the ball there, and the radius of the tube that it has then.
+// The beginning of an arc at a junction: a line that goes on beyond the ball there, and the radius of its tube where it leaves it.
 struct Junction_arm
 {
   typedef CGAL::Simple_cartesian<double>::Point_3 Point;
@@ -130,7 +130,7 @@ private:
             if(is_last)
               std::reverse(points.begin(), points.end());
             const std::size_t outside = (std::min)(inside, points.size() - 1);
-            points.resize((std::min)(inside + 2, points.size()));
+            points.resize((std::min)(balls.number_near(arc, is_last) + 2, points.size()));
             visitor(arc, points, outside);
           }
     };

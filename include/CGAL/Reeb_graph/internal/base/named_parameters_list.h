@@ -42,6 +42,7 @@ CGAL_REEB_GRAPH_NAMED_PARAMETER(check_self_intersections, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(ignore_self_intersections, bool)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(pruning_ratio, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(sampling_ratio, double)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(smooth, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(ends_at_borders, bool)
 
 // These have values of any type, and a tag, which has another name where there are functions called as the parameter is.

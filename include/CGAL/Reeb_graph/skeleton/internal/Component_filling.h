@@ -406,6 +406,7 @@ struct Skeleton_options
 {
   double pruning_ratio = 0.5;
   double sampling_ratio = 0.5;
+  double smooth = 1;
   bool are_borders_ends = true;
 };
 

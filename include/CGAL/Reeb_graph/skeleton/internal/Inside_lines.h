@@ -42,8 +42,7 @@ public:
       tree_(tree),
       lines_(lines),
       sampling_ratio_(sampling_ratio),
-      loops_(chains),
-      number_of_crossings_(chains.chains().size(), 0)
+      loops_(lines.ends())
   {
     for(auto& [index, node] : lines.nodes())
       if(node.kind == Line_end::JUNCTION)
@@ -61,26 +60,51 @@ public:
     let_loops_wind(is_self_intersecting);
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
       thin(chain);
-    for(auto& [index, node] : lines.nodes())
+  }
+
+  // Measures how far the lines are from the surface, and counts what is wrong with them, as they are now.
+  void certify()
+  {
+    for(auto& [index, node] : lines_.nodes())
       if(node.kind != Line_end::TIP)
         measure(node.point, node.kind == Line_end::JUNCTION);
-    for(Index chain = 0; chain != lines.lines().size(); ++chain)
+    for(Index line = 0; line != lines_.lines().size(); ++line)
     {
-      Skeleton_lines::Line& line = lines.lines()[chain];
-      for(Line_point& point : line)
+      auto& points = lines_.lines()[line];
+      for(Line_point& point : points)
         measure(point, true);
       for(const bool is_last : {false, true})
-        if(auto& end = lines.nodes().at(chains.chains()[chain].ends[is_last ? 1 : 0]);
-           end.kind == Line_end::TIP && !line.empty())
-          end.point.radius = (is_last ? line.back() : line.front()).radius;
+        if(auto& end = lines_.nodes().at(lines_.ends()[line][is_last ? 1 : 0]);
+           end.kind == Line_end::TIP && !points.empty())
+          end.point.radius = (is_last ? points.back() : points.front()).radius;
     }
+    number_of_crossings_ = count_crossings();
+    if(loops_.cycles().empty())
+      return;
+    std::vector<std::array<Index, 2>> ends;
+    std::vector<std::vector<Point>> lines;
+    for(Index line = 0; line != lines_.lines().size(); ++line)
+      if(!lines_.has_gone(line))
+      {
+        ends.push_back(lines_.ends()[line]);
+        lines.push_back(polyline(line));
+      }
+    const Loop_linking loops(ends);
+    number_of_contractible_loops_ = Loop_linking::number_of_dependent(loops.linking_numbers(lines, polygons_));
+  }
+
+  // The number of edges that cross the surface, as they are now.
+  std::size_t count_crossings() const
+  {
+    std::size_t number = 0;
+    for(Index line = 0; line != lines_.lines().size(); ++line)
+      for(std::size_t i = 0; i <= lines_.lines()[line].size() && !lines_.has_gone(line); ++i)
+        number += tree_.is_crossed(surface_place(line, i), surface_place(line, i + 1)) ? 1 : 0;
+    return number;
   }
 
   std::size_t number_outside() const { return number_outside_; }
-  std::size_t number_of_crossings() const
-  {
-    return std::accumulate(number_of_crossings_.begin(), number_of_crossings_.end(), std::size_t(0));
-  }
+  std::size_t number_of_crossings() const { return number_of_crossings_; }
   // The loops that can be pulled to a point in the solid, or depend on others there.
   std::size_t number_of_contractible_loops() const { return number_of_contractible_loops_; }
 
@@ -114,15 +138,25 @@ private:
     p.radius = (std::max)(p.radius, p.inscribed_radius); // A contour that folds has less area than a flat one.
   }
 
+  // A point of a line, from 0 for the node where it begins.
+  Surface_place surface_place(Index line, std::size_t i) const
+  {
+    const auto& points = lines_.lines()[line];
+    if(i != 0 && i <= points.size())
+      return {points[i - 1].point, std::nullopt};
+    const Index node = lines_.ends()[line][i == 0 ? 0 : 1];
+    const Skeleton_lines::Node& end = lines_.nodes().at(node);
+    if(end.kind == Line_end::JUNCTION)
+      return {end.point.point, std::nullopt};
+    return {end.point.point, graph_.vertex(node)};
+  }
+
   Place place_of_end(Index chain, bool is_last) const
   {
-    const Graph_chains::Chain& whole = chains_.chains()[chain];
-    const Index node = whole.ends[is_last ? 1 : 0];
-    const Skeleton_lines::Node& end = lines_.nodes().at(node);
-    Place place = {end.point, std::nullopt};
-    place.point.place = is_last ? whole.length : 0;
-    if(end.kind != Line_end::JUNCTION)
-      place.vertex = graph_.vertex(node);
+    const Index node = lines_.ends()[chain][is_last ? 1 : 0];
+    Place place = {lines_.nodes().at(node).point,
+                   surface_place(chain, is_last ? lines_.lines()[chain].size() + 1 : 0).vertex};
+    place.point.place = is_last ? chains_.chains()[chain].length : 0;
     return place;
   }
 
@@ -134,31 +168,27 @@ private:
     if(loops_.cycles().empty())
       return;
     const Loop_tracing tracing(graph_, chains_, tree_);
-    std::vector<Loop_linking::Line> polygons;
     for(const Index chain : loops_.closing_chains())
-      polygons.push_back(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
-    const auto rows = loops_.linking_numbers(polylines(), polygons);
+      polygons_.push_back(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
+    const auto rows = loops_.linking_numbers(polylines(), polygons_);
     if(loops_.number_of_dependent(rows) == 0)
       return;
     std::vector<bool> is_bad = loops_.chains_of_bad_cycles(rows), is_wound(is_bad.size(), false);
     for(const Loop_linking::Cycle& cycle : loops_.cycles())
-      polygons.push_back(tracing.curve(cycle));
+      polygons_.push_back(tracing.curve(cycle));
     const auto count = [&](double share) {
       trace_all(tracing, is_bad, is_wound, share);
-      return loops_.number_of_dependent(loops_.linking_numbers(polylines(), polygons));
+      return loops_.number_of_dependent(loops_.linking_numbers(polylines(), polygons_));
     };
     const double least_share = 1e-6;
     const auto nodes_before = lines_.nodes();
     const auto lines_before = lines_.lines();
-    const auto crossings_before = number_of_crossings_;
     if(count(1) == 0)
       return;
     if(is_self_intersecting)
     {
       lines_.nodes() = nodes_before;
       lines_.lines() = lines_before;
-      number_of_crossings_ = crossings_before;
-      number_of_contractible_loops_ = loops_.number_of_dependent(rows);
       return;
     }
     std::size_t least = count(least_share);
@@ -176,7 +206,7 @@ private:
       least = (std::min)(number, least);
     }
     double share = 1;
-    while((number_of_contractible_loops_ = count(share)) > least && share > least_share)
+    while(count(share) > least && share > least_share)
       share /= 100;
   }
 
@@ -204,12 +234,15 @@ private:
   {
     std::vector<std::vector<Point>> result;
     for(Index chain = 0; chain != chains_.chains().size(); ++chain)
-    {
-      result.push_back({place_of_end(chain, false).point.point});
-      for(const Line_point& p : lines_.lines()[chain])
-        result.back().push_back(p.point);
-      result.back().push_back(place_of_end(chain, true).point.point);
-    }
+      result.push_back(polyline(chain));
+    return result;
+  }
+
+  std::vector<Point> polyline(Index line) const
+  {
+    std::vector<Point> result;
+    for(std::size_t i = 0; i != lines_.lines()[line].size() + 2; ++i)
+      result.push_back(surface_place(line, i).point);
     return result;
   }
 
@@ -223,7 +256,6 @@ private:
       lengths.push_back(lengths.back() + distance(way[i - 1], way[i]));
     Skeleton_lines::Line& line = lines_.lines()[chain];
     line.clear();
-    number_of_crossings_[chain] = 0;
     for(std::size_t i = 1; i + 1 < way.size(); ++i)
     {
       Line_point point = lines_.make_point(chain, chains_.chains()[chain].length * lengths[i] / lengths.back());
@@ -234,7 +266,6 @@ private:
 
   void refine(Index chain)
   {
-    number_of_crossings_[chain] = 0;
     std::vector<Line_point>& line = lines_.lines()[chain];
     std::vector<Line_point> result;
     Place last = place_of_end(chain, false);
@@ -306,8 +337,6 @@ private:
       }
     }
     const std::vector<Point> way = tree_.way_beneath(a.surface_place(), b.surface_place());
-    if(way.empty())
-      ++number_of_crossings_[chain];
     for(std::size_t i = 1; i + 1 < way.size(); ++i)
     {
       const double t = static_cast<double>(i) / static_cast<double>(way.size() - 1);
@@ -324,8 +353,8 @@ private:
   Skeleton_lines& lines_;
   const double sampling_ratio_;
   const Loop_linking loops_;
-  std::vector<std::size_t> number_of_crossings_; // by chain
-  std::size_t number_outside_ = 0, number_of_contractible_loops_ = 0;
+  std::vector<Loop_linking::Line> polygons_; // around which loops are to wind
+  std::size_t number_outside_ = 0, number_of_crossings_ = 0, number_of_contractible_loops_ = 0;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

@@ -42,7 +42,7 @@ public:
           radii_[node] = (std::max)(radii_[node], skeleton[neighbor].radius);
       }
     for(const auto& arc : arcs_)
-      numbers_inside_.push_back({count_inside(arc, false), count_inside(arc, true)});
+      numbers_inside_.push_back({count_inside(arc, false, 1), count_inside(arc, true, 1)});
   }
 
   const std::vector<std::vector<std::size_t>>& arcs() const { return arcs_; }
@@ -52,6 +52,9 @@ public:
 
   // How many points of an arc, from one end on, are in the ball there.
   std::size_t number_inside(std::size_t arc, bool is_last) const { return numbers_inside_[arc][is_last ? 1 : 0]; }
+
+  // How many are in a ball of twice the radius.
+  std::size_t number_near(std::size_t arc, bool is_last) const { return count_inside(arcs_[arc], is_last, 2); }
 
   // The share of an edge of an arc, from its point i to the next one, that is outside of the balls of the ends.
   double share_outside(std::size_t arc, std::size_t i) const
@@ -79,11 +82,11 @@ public:
   }
 
 private:
-  std::size_t count_inside(const std::vector<std::size_t>& arc, bool is_last) const
+  std::size_t count_inside(const std::vector<std::size_t>& arc, bool is_last, double share) const
   {
     const std::size_t node = at(arc, 0, is_last);
     std::size_t i = 0;
-    while(i != arc.size() && distance(node, at(arc, i, is_last)) <= radii_[node])
+    while(i != arc.size() && distance(node, at(arc, i, is_last)) <= share * radii_[node])
       ++i;
     return i;
   }

@@ -36,7 +36,8 @@ public:
   typedef std::pair<Index, int> Step; // a chain, and 1 or -1 for its direction
   typedef std::vector<Step> Cycle;
 
-  explicit Loop_linking(const Graph_chains& chains) : chains_(chains)
+  // By the nodes at the ends of chains.
+  explicit Loop_linking(const std::vector<std::array<Index, 2>>& ends) : ends_(ends)
   {
     find_tree();
     for(const Index chain : closing_)
@@ -107,10 +108,10 @@ public:
   // other one, and of all cycles that meet these.
   std::vector<bool> chains_of_bad_cycles(const std::vector<Row>& all) const
   {
-    std::vector<bool> is_bad(chains_.chains().size(), false), is_node_bad(arcs_of_.size(), false);
+    std::vector<bool> is_bad(ends_.size(), false), is_node_bad(arcs_of_.size(), false);
     const auto add = [&](Index chain) {
       is_bad[chain] = true;
-      for(const Index end : chains_.chains()[chain].ends)
+      for(const Index end : ends_[chain])
         is_node_bad[end] = true;
     };
     for(std::size_t i = 0; i != all.size(); ++i)
@@ -122,7 +123,7 @@ public:
       is_done = true;
       for(Index chain = 0; chain != is_bad.size(); ++chain)
       {
-        const auto& ends = chains_.chains()[chain].ends;
+        const auto& ends = ends_[chain];
         if(is_bad[chain] || !is_on_cycle_[chain] || !(is_node_bad[ends[0]] || is_node_bad[ends[1]]))
           continue;
         add(chain);
@@ -162,16 +163,16 @@ private:
 
   void find_tree()
   {
-    const auto& all = chains_.chains();
+    const auto& all = ends_;
     is_on_cycle_.assign(all.size(), false);
     Index number_of_nodes = 0;
-    for(const auto& chain : all)
-      number_of_nodes = (std::max)({number_of_nodes, chain.ends[0] + 1, chain.ends[1] + 1});
+    for(const auto& ends : all)
+      number_of_nodes = (std::max)({number_of_nodes, ends[0] + 1, ends[1] + 1});
     arcs_of_.resize(number_of_nodes);
     Disjoint_sets<Index> parts(number_of_nodes);
     for(Index chain = 0; chain != all.size(); ++chain)
     {
-      const auto& ends = all[chain].ends;
+      const auto& ends = all[chain];
       if(parts.find(ends[0]) == parts.find(ends[1]))
       {
         closing_.push_back(chain);
@@ -186,14 +187,14 @@ private:
   // The chain, and then the path in the tree from its end to its begin.
   Cycle cycle_through(Index closing) const
   {
-    const auto& all = chains_.chains();
-    const Index begin = all[closing].ends[0], end = all[closing].ends[1];
+    const auto& all = ends_;
+    const Index begin = all[closing][0], end = all[closing][1];
     std::map<Index, Step> reached = {{begin, {no_index, 0}}};
     std::vector<Index> queue = {begin};
     for(std::size_t i = 0; i != queue.size() && reached.count(end) == 0; ++i)
       for(const Index chain : arcs_of_[queue[i]])
       {
-        const auto& ends = all[chain].ends;
+        const auto& ends = all[chain];
         const bool is_upwards = ends[1] == queue[i]; // on the way back
         const Index other = ends[is_upwards ? 0 : 1];
         if(reached.insert({other, {chain, is_upwards ? -1 : 1}}).second)
@@ -204,7 +205,7 @@ private:
     {
       const auto [chain, direction] = reached.at(node);
       cycle.push_back({chain, -direction});
-      node = all[chain].ends[direction == 1 ? 0 : 1];
+      node = all[chain][direction == 1 ? 0 : 1];
     }
     return cycle;
   }
@@ -240,7 +241,7 @@ private:
     return result;
   }
 
-  const Graph_chains& chains_;
+  const std::vector<std::array<Index, 2>> ends_;
   std::vector<std::vector<Index>> arcs_of_; // of the tree, by node
   std::vector<Index> closing_;
   std::vector<Cycle> cycles_;

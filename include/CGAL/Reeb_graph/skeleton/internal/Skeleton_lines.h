@@ -19,6 +19,7 @@
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -83,7 +84,10 @@ public:
     for(const auto& [node, degree] : ends_of_)
       nodes_[node] = make_node(node, degree, component);
     for(Index chain = 0; chain != chains.chains().size(); ++chain)
+    {
       lines_.push_back(sample_chain(chain));
+      line_ends_.push_back(chains.chains()[chain].ends);
+    }
     std::map<Index, std::vector<Chain_end>> chain_ends;
     for(Index chain = 0; chain != lines_.size(); ++chain)
       for(const bool is_last : {false, true})
@@ -112,6 +116,14 @@ public:
 
   std::map<Index, Node>& nodes() { return nodes_; } // by node of the graph
   std::vector<Line>& lines() { return lines_; }     // by chain
+
+  // The nodes at the ends of lines. One without points that ends where it begins has become that node.
+  std::vector<std::array<Index, 2>>& ends() { return line_ends_; }
+  void join(Index node, Index other) { joined_[node] = other; }
+  Index node_at(Index node) const { return joined_.count(node) != 0 ? joined_.at(node) : node; }
+  bool has_gone(Index chain) const { return lines_[chain].empty() && line_ends_[chain][0] == line_ends_[chain][1]; }
+
+  double least_radius() const { return least_radius_; }
 
   // The tips, as nodes of the graph, that hardly protrude from a ball in which a line of another chain passes the center:
   // the last places that fronts reach that meet in a tube have no limb of their own.
@@ -463,6 +475,8 @@ private:
   std::map<std::pair<Index, Index>, std::size_t> chains_between_;
   std::map<Index, Node> nodes_;
   std::vector<Line> lines_, lines_before_;
+  std::vector<std::array<Index, 2>> line_ends_;
+  std::map<Index, Index> joined_; // nodes that have become others
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

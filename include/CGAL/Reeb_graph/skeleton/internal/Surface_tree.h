@@ -89,6 +89,9 @@ public:
   // Whether the surface has any area.
   bool has_area() const { return !tree_.empty(); }
 
+  // Whether distances are those from less than the whole surface.
+  bool has_openings() const { return !walls_.empty(); }
+
   // Whether a line from a point in the direction of the first axis crosses the surface an odd number of times. The line is
   // moved by less than any number, so that it passes no edge: exact signs decide for every surface and every point.
   bool is_inside(const Point& p) const
@@ -107,7 +110,13 @@ public:
   // The distance from the surface without openings.
   double distance_from_wall(const Point& p, const Point& hint) const
   {
-    return walls_.empty() ? distance_from(p, hint) : distance(p, walls_.closest_point(p));
+    return has_area() ? distance(p, closest_on_wall(p, hint)) : 0;
+  }
+
+  // The point of the surface without openings that is closest to a point. The surface has area.
+  Point closest_on_wall(const Point& p, const Point& hint) const
+  {
+    return walls_.empty() ? tree_.closest_point(p, hint) : walls_.closest_point(p);
   }
 
   // Whether a segment meets the surface, other than in a vertex that is its end, by exact predicates.

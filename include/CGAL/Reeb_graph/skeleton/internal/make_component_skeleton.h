@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Inside_lines.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Line_centering.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
@@ -45,8 +46,12 @@ public:
       lines_(lines),
       result_(result)
   {
+    for(Index chain = 0; chain != lines.lines().size(); ++chain)
+      for(const Index end : lines.ends()[chain])
+        degrees_[end] += lines.has_gone(chain) ? 0 : 1;
     for(const auto& [index, node] : lines.nodes())
-      add_node(index, node);
+      if(degrees_.count(index) != 0)
+        add_node(index, node);
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
       add_arc(chain);
     map_vertices();
@@ -65,33 +70,28 @@ private:
     numbers_[index] = static_cast<Index>(result_.vertices.size());
     result_.vertices.push_back({node.point.point, node.point.radius, node.point.inscribed_radius, no_index, 0});
     if(node.kind == Line_end::JUNCTION)
-      result_.number_of_junctions += degree(index) > 2 ? 1 : 0;
+      result_.number_of_junctions += degrees_[index] > 2 ? 1 : 0;
     else
       ++result_.number_of_ends;
     result_.number_of_border_ends += node.kind == Line_end::BORDER ? 1 : 0;
   }
 
-  std::size_t degree(Index index) const
-  {
-    std::size_t result = 0;
-    for(const auto& chain : chains_.chains())
-      for(const Index end : chain.ends)
-        result += end == index ? 1 : 0;
-    return result;
-  }
-
   void add_arc(Index chain)
   {
-    const auto& ends = chains_.chains()[chain].ends;
-    std::vector<Index> arc = {numbers_.at(ends[0])};
+    std::vector<Index>& arc = arcs_.emplace_back();
+    const auto& ends = lines_.ends()[chain];
+    arc.push_back(numbers_.at(ends[0]));
+    if(lines_.has_gone(chain))
+      return;
     for(const Line_point& point : lines_.lines()[chain])
     {
       arc.push_back(static_cast<Index>(result_.vertices.size()));
-      result_.vertices.push_back({point.point, point.radius, point.inscribed_radius, chain, 0});
+      result_.vertices.push_back(
+        {point.point, point.radius, point.inscribed_radius, static_cast<Index>(result_.arcs.size()), 0});
     }
     arc.push_back(numbers_.at(ends[1]));
     set_places(arc);
-    result_.arcs.push_back(std::move(arc));
+    result_.arcs.push_back(arc);
   }
 
   // Places by lengths, from 0 to 1.
@@ -107,7 +107,7 @@ private:
   // A vertex belongs to the point of its chain that is next in place.
   void map_vertices()
   {
-    std::vector<std::vector<double>> places(result_.arcs.size());
+    std::vector<std::vector<double>> places(chains_.chains().size());
     for(Index chain = 0; chain != places.size(); ++chain)
     {
       places[chain].push_back(0);
@@ -120,15 +120,15 @@ private:
     {
       Index node = no_index;
       const auto [chain, place] = chains_.place_of(Mesh::Vertex_index(static_cast<Mesh::size_type>(i)), node);
-      if(chain == no_index)
+      if(chain == no_index || lines_.has_gone(chain))
       {
-        result_.vertex_map[i] = numbers_.at(node);
+        result_.vertex_map[i] = chain == no_index ? numbers_.at(lines_.node_at(node)) : arcs_[chain].front();
         continue;
       }
       const auto& all = places[chain];
       const auto after =
         static_cast<std::size_t>(std::lower_bound(all.begin() + 1, all.end() - 1, place) - all.begin());
-      result_.vertex_map[i] = result_.arcs[chain][place - all[after - 1] < all[after] - place ? after - 1 : after];
+      result_.vertex_map[i] = arcs_[chain][place - all[after - 1] < all[after] - place ? after - 1 : after];
     }
   }
 
@@ -137,6 +137,8 @@ private:
   Skeleton_lines& lines_;
   Component_skeleton& result_;
   std::map<Index, Index> numbers_; // of the nodes of the graph
+  std::map<Index, std::size_t> degrees_;
+  std::vector<std::vector<Index>> arcs_; // by chain, with those that have become a node
 };
 
 // Takes branches off that the lines of other ones make needless.
@@ -193,7 +195,11 @@ Component_skeleton make_component_skeleton(Component component,
   remove_covered_tips(graph, tree, component, options, pruning);
   Graph_chains chains(graph, pruning);
   Skeleton_lines lines(graph, chains, component, options, are_distances);
-  const Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio, result.is_self_intersecting);
+  Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio, result.is_self_intersecting);
+  // Lines that cross the surface, as where triangles of a raw neuron intersect, could go anywhere.
+  if(options.smooth > 0 && tree.has_area() && !(result.is_self_intersecting && inside.count_crossings() != 0))
+    const Line_centering centering(graph, chains, tree, lines, options.smooth, options.sampling_ratio);
+  inside.certify();
   result.number_of_contractible_loops = inside.number_of_contractible_loops();
   result.number_outside = inside.number_outside();
   result.number_of_crossings = inside.number_of_crossings();

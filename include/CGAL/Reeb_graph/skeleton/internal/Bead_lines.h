@@ -1,0 +1,410 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SKELETON_INTERNAL_BEAD_LINES_H
+#define CGAL_REEB_GRAPH_SKELETON_INTERNAL_BEAD_LINES_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal::skeleton {
+
+// The lines of a skeleton as numbers of beads, which know how far the surface is: gives them other points, or fewer ones, where
+// the surface does not meet the triangles that lines then sweep, so that no line crosses it, and no loop leaves its handle.
+class Bead_lines
+{
+protected:
+  struct Bead
+  {
+    Line_point point;  // with the closest point of the surface
+    double depth = 0;  // the distance from the surface; 0 at a tip
+    double pace = 0.5; // of its steps
+    bool is_settled = false, is_outside = false;
+    std::optional<Mesh::Vertex_index> vertex; // of the surface, at an end, which stays
+
+    Surface_place place() const { return {point.point, vertex}; }
+  };
+  typedef std::vector<std::size_t> Numbers; // of beads
+  struct Line
+  {
+    Numbers beads;          // from node to node; none if it has become a point
+    double length = 0;      // of the chain, as places go
+    std::size_t joined = 0; // the node that it has become
+  };
+  struct End_of_line
+  {
+    std::size_t line;
+    bool is_last;
+  };
+
+  Bead make_bead(Line_point point) const
+  {
+    Bead bead;
+    point.on_surface = tree_.closest_on_wall(point.point, point.on_surface);
+    bead.depth = distance(point.point, point.on_surface);
+    bead.point = point;
+    return bead;
+  }
+
+  std::size_t add_bead(const Line_point& point)
+  {
+    beads_.push_back(make_bead(point));
+    return beads_.size() - 1;
+  }
+
+  Bead_lines(const Sampled_graph& graph,
+             const Graph_chains& chains,
+             const Surface_tree& tree,
+             Skeleton_lines& lines,
+             double smooth)
+    : tree_(tree),
+      smooth_(smooth),
+      least_depth_(lines.least_radius())
+  {
+    for(const auto& [index, node] : lines.nodes())
+    {
+      numbers_[index] = add_bead(node.point);
+      Bead& bead = beads_.back();
+      if(node.kind != Line_end::JUNCTION)
+        bead.vertex = graph.vertex(index);
+      if(node.kind == Line_end::TIP)
+        bead.depth = 0;
+    }
+    for(Index chain = 0; chain != lines.lines().size(); ++chain)
+    {
+      Line& line = lines_.emplace_back();
+      line.length = chains.chains()[chain].length;
+      line.beads.push_back(numbers_.at(lines.ends()[chain][0]));
+      for(const Line_point& point : lines.lines()[chain])
+        line.beads.push_back(add_bead(point));
+      line.beads.push_back(numbers_.at(lines.ends()[chain][1]));
+    }
+    for(Bead& bead : beads_)
+    {
+      bead.is_outside = !bead.vertex && !tree.is_inside(bead.point.point);
+      is_any_wrong_ = is_any_wrong_ || bead.is_outside;
+    }
+    is_any_wrong_ = is_any_wrong_
+                 || !std::all_of(lines_.begin(), lines_.end(), [&](const Line& line) { return is_free(line.beads); });
+  }
+
+  void find_ends()
+  {
+    ends_of_nodes_.clear();
+    for(std::size_t line = 0; line != lines_.size(); ++line)
+      if(const Numbers& beads = lines_[line].beads; !beads.empty())
+      {
+        ends_of_nodes_[beads.front()].push_back({line, false});
+        ends_of_nodes_[beads.back()].push_back({line, true});
+      }
+    for(const auto& [node, ends] : ends_of_nodes_)
+      beads_[node].is_settled = false;
+  }
+
+  // The bead of a line that is so far from one of its ends.
+  std::size_t from_end(const End_of_line& end, std::size_t i) const
+  {
+    const Numbers& beads = lines_[end.line].beads;
+    return end.is_last ? beads[beads.size() - 1 - i] : beads[i];
+  }
+
+  // Whether the surface does not meet a triangle of two beads and a place, other than in an end. Balls around beads are free.
+  bool is_free(const Bead& a, const Bead& b, const Surface_place& c) const
+  {
+    if(a.is_outside || b.is_outside || is_in_ball(b, a, c) || is_in_ball(a, b, c))
+      return true;
+    if(is_any_wrong_ && tree_.is_crossed(a.place(), b.place()))
+      return true;
+    if(a.vertex || b.vertex || c.vertex) // no part of a loop
+      return !tree_.is_crossed(a.place(), c) && !tree_.is_crossed(b.place(), c);
+    return !tree_.is_met_by_triangle(a.point.point, b.point.point, c.point);
+  }
+
+  // Openings do not count in depths.
+  bool is_in_ball(const Bead& center, const Bead& other, const Surface_place& third) const
+  {
+    const double radius = (1 - 1e-6) * center.depth;
+    const Point& p = center.point.point;
+    return !tree_.has_openings() && distance(p, other.point.point) < radius && distance(p, third.point) < radius;
+  }
+
+  // Whether the surface does not meet any edge of a line.
+  bool is_free(const Numbers& line) const
+  {
+    for(std::size_t i = 1; i != line.size(); ++i)
+    {
+      const Bead &a = beads_[line[i - 1]], &b = beads_[line[i]];
+      if(!is_in_ball(a, a, b.place()) && !is_in_ball(b, b, a.place()) && tree_.is_crossed(a.place(), b.place()))
+        return false;
+    }
+    return true;
+  }
+
+  // Whether a line can go straight on from one point of it to another one.
+  bool is_free(const Numbers& line, std::size_t from, std::size_t to) const
+  {
+    for(std::size_t i = from + 2; i <= to; ++i)
+      if(!is_free(beads_[line[from]], beads_[line[i - 1]], beads_[line[i]].place()))
+        return false;
+    return true;
+  }
+
+  // Leaves points out where a line folds back on itself, and before tips: from where the tip is about as near as the rest of
+  // the surface, the way to it is straight, as no place there is in the middle.
+  void leave_out_folds_and_tops(Numbers& beads) const
+  {
+    const auto is_top = [&](const Bead& bead, const Bead& tip) {
+      return tip.depth == 0 && distance(bead.point.point, tip.point.point) < 1.4 * bead.depth;
+    };
+    for(std::size_t i = 1; i + 1 < beads.size() && beads.size() > 4;)
+    {
+      const Bead &a = beads_[beads[i - 1]], &b = beads_[beads[i]], &c = beads_[beads[i + 1]];
+      const Vector from = b.point.point - a.point.point, to = c.point.point - b.point.point;
+      const bool is_fold = from * to < -0.3 * length(from) * length(to);
+      if((is_fold || is_top(b, a) || is_top(b, c)) && is_free(a, b, c.place()))
+      {
+        beads.erase(beads.begin() + static_cast<std::ptrdiff_t>(i));
+        i = (std::max)(i, std::size_t(2)) - 1;
+      }
+      else
+        ++i;
+    }
+  }
+
+  double spacing(const Bead& bead) const { return 0.8 * (std::max)(bead.depth, least_depth_); }
+
+  // How many times as far apart as they are to be two points are.
+  double steps_between(const Bead& a, const Bead& b) const
+  {
+    const double sum = spacing(a) + spacing(b), most = (std::max)(spacing(a), spacing(b));
+    return distance(a.point.point, b.point.point) / (a.depth > 0 && b.depth > 0 ? sum / 2 : 1.2 * most);
+  }
+
+  // Points at equal steps by the distance from the surface; those of the line between them where the way there is not free.
+  void resample(Line& resampled)
+  {
+    const Numbers line = resampled.beads;
+    if(line.empty())
+      return;
+    std::vector<double> steps = {0};
+    for(std::size_t i = 1; i != line.size(); ++i)
+      steps.push_back(steps.back() + steps_between(beads_[line[i - 1]], beads_[line[i]]));
+    const std::size_t least = line.front() == line.back() ? 4 : 1;
+    const std::size_t number = (std::max)(static_cast<std::size_t>(std::ceil(steps.back())), least);
+    Numbers dense = {line.front()}; // the points of the line, and the new ones between them
+    Numbers kept = {0};
+    std::size_t i = 0;
+    const auto pass = [&](double step) {
+      for(; i + 2 < line.size() && steps[i + 1] <= step; ++i)
+        dense.push_back(line[i + 1]);
+    };
+    for(std::size_t k = 1; k < number; ++k)
+    {
+      const double step = steps.back() * static_cast<double>(k) / static_cast<double>(number);
+      pass(step);
+      const double size = steps[i + 1] - steps[i];
+      kept.push_back(dense.size());
+      dense.push_back(beads_.size());
+      beads_.push_back(between(line, i, size > 0 ? (step - steps[i]) / size : 0, resampled.length));
+    }
+    pass(steps.back());
+    kept.push_back(dense.size());
+    dense.push_back(line.back());
+    resampled.beads = {dense.front()};
+    for(std::size_t k = 1; k != kept.size(); ++k)
+    {
+      const auto from = dense.begin() + static_cast<std::ptrdiff_t>(kept[k - 1]),
+                 to = dense.begin() + static_cast<std::ptrdiff_t>(kept[k]);
+      resampled.beads.insert(resampled.beads.end(), is_free(dense, kept[k - 1], kept[k]) ? to : from + 1, to + 1);
+    }
+    if(!is_any_wrong_ && !is_free(resampled.beads)) // Points on an edge are rounded.
+      resampled.beads = line;
+  }
+
+  // Lets a line go straight on before a tip where that is farther from the surface than what is as far from the tip on the way to it.
+  void go_on_before_tip(Line& line, bool is_last)
+  {
+    Numbers& beads = line.beads;
+    if(beads.size() < 3 || beads_[is_last ? beads.back() : beads.front()].depth > 0)
+      return;
+    const std::size_t i = is_last ? beads.size() - 2 : 1;
+    const Bead tip = beads_[is_last ? beads.back() : beads.front()], last = beads_[beads[i]];
+    const Vector along = last.point.point - beads_[beads[is_last ? i - 1 : i + 1]].point.point;
+    const double way = distance(last.point.point, tip.point.point);
+    for(double share = 0.875; share > 0 && length(along) > 0; share -= 0.125)
+    {
+      Bead on_way = between(beads, is_last ? i : 0, is_last ? share : 1 - share, line.length), next = on_way;
+      next.point.point = last.point.point + share * way / length(along) * along;
+      next = make_bead(next.point);
+      const double rest = distance(next.point.point, tip.point.point);
+      on_way.point.point = tip.point.point + rest / way * (last.point.point - tip.point.point);
+      if(!(rest > 1.2 * next.depth && next.depth > make_bead(on_way.point).depth) || !is_free(last, tip, next.place()))
+        continue;
+      beads.insert(beads.begin() + static_cast<std::ptrdiff_t>(is_last ? i + 1 : 1), beads_.size());
+      beads_.push_back(next);
+      return;
+    }
+  }
+
+  double place(const Numbers& line, std::size_t i, double length) const
+  {
+    return i == 0 ? 0 : i + 1 == line.size() ? length : beads_[line[i]].point.place;
+  }
+
+  // A bead between two of a line.
+  Bead between(const Numbers& line, std::size_t i, double t, double length) const
+  {
+    const Bead &a = beads_[line[i]], &b = beads_[line[i + 1]];
+    Line_point point = a.point;
+    point.point = a.point.point + t * (b.point.point - a.point.point);
+    point.radius = (1 - t) * a.point.radius + t * b.point.radius;
+    point.place = (1 - t) * place(line, i, length) + t * place(line, i + 1, length);
+    Bead bead = make_bead(point);
+    bead.is_outside = is_any_wrong_ && !tree_.is_inside(point.point);
+    return bead;
+  }
+
+  // Leaves points out that are near to a straight line (D. Douglas and T. Peucker 1973).
+  void decimate(Numbers& beads) const
+  {
+    if(beads.empty() || (beads.front() == beads.back() && beads.size() < 7))
+      return;
+    const Numbers line = std::exchange(beads, {beads.front()});
+    const auto add = [&](const auto& self, std::size_t from, std::size_t to) -> void {
+      std::size_t farthest = from;
+      double greatest = 1;
+      for(std::size_t i = from + 1; i < to; ++i)
+        if(const double share = share_beside(line, from, to, i); share > greatest)
+        {
+          greatest = share;
+          farthest = i;
+        }
+      if(farthest == from && !is_free(line, from, to))
+        farthest = (from + to) / 2;
+      if(farthest == from)
+        return beads.push_back(line[to]);
+      self(self, from, farthest);
+      self(self, farthest, to);
+    };
+    const std::size_t last = line.size() - 1, third = line.front() == line.back() ? last / 3 : last;
+    add(add, 0, third);
+    if(third != last)
+    {
+      add(add, third, 2 * third);
+      add(add, 2 * third, last);
+    }
+  }
+
+  // How far a bead is from a chord, as a share of what may be.
+  double share_beside(const Numbers& line, std::size_t from, std::size_t to, std::size_t i) const
+  {
+    const Bead& bead = beads_[line[i]];
+    const Point& p = beads_[line[from]].point.point;
+    const Vector chord = beads_[line[to]].point.point - p, way = bead.point.point - p;
+    const double square = chord.squared_length(), t = square > 0 ? std::clamp(way * chord / square, 0., 1.) : 0;
+    return length(way - t * chord) / (tolerance * smooth_ * bead.depth);
+  }
+
+  void write(Skeleton_lines& lines, double sampling_ratio, Index next)
+  {
+    std::map<std::size_t, Index> nodes;
+    for(const auto& [index, number] : numbers_)
+      nodes[number] = index;
+    find_ends();
+    for(const auto& [number, ends] : ends_of_nodes_)
+      if(nodes.count(number) == 0)
+        nodes[number] = next++;
+    for(const auto& [number, index] : nodes)
+      lines.nodes()[index].point = beads_[number].point;
+    lines.lines().resize(lines_.size());
+    lines.ends().resize(lines_.size());
+    const auto node_of = [&](std::size_t bead) {
+      while(joined_.count(bead) != 0)
+        bead = joined_.at(bead);
+      return nodes.at(bead);
+    };
+    for(const auto& [index, number] : numbers_)
+      lines.join(index, node_of(number));
+    for(std::size_t i = 0; i != lines_.size(); ++i)
+    {
+      if(lines_[i].beads.empty())
+        lines_[i].beads = {lines_[i].joined, lines_[i].joined};
+      else
+        refine(lines_[i], sampling_ratio);
+      const Numbers& beads = lines_[i].beads;
+      lines.ends()[i] = {node_of(beads.front()), node_of(beads.back())};
+      Skeleton_lines::Line& line = lines.lines()[i];
+      const Skeleton_lines::Line before = std::exchange(line, {});
+      for(std::size_t k = 1; k + 1 < beads.size(); ++k)
+      {
+        line.push_back(beads_[beads[k]].point);
+        if(!before.empty())
+          line.back().radius = radius_at(before, line.back().place);
+      }
+    }
+  }
+
+  static double radius_at(const Skeleton_lines::Line& line, double place)
+  {
+    const auto after = std::find_if(line.begin(), line.end(), [&](const Line_point& p) { return p.place > place; });
+    if(after == line.begin() || after == line.end())
+      return (after == line.end() ? line.back() : line.front()).radius;
+    const Line_point &a = *(after - 1), &b = *after;
+    const double t = (place - a.place) / (b.place - a.place);
+    return (1 - t) * a.radius + t * b.radius;
+  }
+
+  // Puts further points between, as far apart as they are to be, but on the way to a tip.
+  void refine(Line& line, double sampling_ratio)
+  {
+    const Numbers beads = std::exchange(line.beads, {line.beads.front()});
+    for(std::size_t i = 0; i + 1 < beads.size(); ++i)
+    {
+      const Bead a = beads_[beads[i]], b = beads_[beads[i + 1]];
+      const double step = sampling_ratio * (std::max)((a.point.radius + b.point.radius) / 2, least_depth_);
+      const bool is_at_tip = !(a.depth > 0 && b.depth > 0);
+      const auto pieces = static_cast<std::size_t>(std::ceil(distance(a.point.point, b.point.point) / step / 1.5));
+      Numbers refined = {beads[i]};
+      for(std::size_t k = 1; k < pieces && !is_at_tip; ++k)
+      {
+        refined.push_back(beads_.size());
+        beads_.push_back(between(beads, i, static_cast<double>(k) / static_cast<double>(pieces), line.length));
+      }
+      refined.push_back(beads[i + 1]);
+      line.beads.insert(line.beads.end(), is_free(refined) ? refined.begin() + 1 : refined.end() - 1, refined.end());
+    }
+  }
+
+  static constexpr double tolerance = 0.03; // of the distance from the surface, in straight parts
+
+  const Surface_tree& tree_;
+  const double smooth_, least_depth_;
+  std::vector<Bead> beads_; // those that have been left out, too
+  std::vector<Line> lines_;
+  std::map<std::size_t, std::vector<End_of_line>> ends_of_nodes_;
+  std::map<Index, std::size_t> numbers_;      // of nodes
+  std::map<std::size_t, std::size_t> joined_; // nodes that have become others
+  bool is_any_wrong_ = false;
+};
+
+} // namespace CGAL::Reeb_graph::internal::skeleton
+
+#endif // CGAL_REEB_GRAPH_SKELETON_INTERNAL_BEAD_LINES_H

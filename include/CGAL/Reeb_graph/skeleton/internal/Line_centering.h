@@ -1,0 +1,353 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SKELETON_INTERNAL_LINE_CENTERING_H
+#define CGAL_REEB_GRAPH_SKELETON_INTERNAL_LINE_CENTERING_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/skeleton/internal/Bead_lines.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal::skeleton {
+
+// Moves lines that are inside of a surface to where they are least long for how far they are from it: the sum of length by
+// distance over their edges falls, with a price on bends. Ends stay.
+class Line_centering : Bead_lines
+{
+public:
+  Line_centering(const Sampled_graph& graph,
+                 const Graph_chains& chains,
+                 const Surface_tree& tree,
+                 Skeleton_lines& lines,
+                 double smooth,
+                 double sampling_ratio)
+    : Bead_lines(graph, chains, tree, lines, smooth)
+  {
+    run();
+    write(lines, sampling_ratio, graph.number_of_nodes());
+  }
+
+private:
+  void run()
+  {
+    const int number_of_rounds = 40, rounds_between = 3, last_rounds = 7;
+    for(int round = 0; round != number_of_rounds; ++round)
+    {
+      if(round % rounds_between == 0 && round + last_rounds < number_of_rounds)
+      {
+        if(2 * round >= number_of_rounds)
+          join_junctions();
+        for(Line& line : lines_)
+        {
+          resample(line);
+          leave_out_folds_and_tops(line.beads);
+        }
+        find_ends();
+        join_lines();
+      }
+      for(const auto& [node, ends] : ends_of_nodes_)
+        if(!beads_[node].vertex && !beads_[node].is_settled)
+          move_node(node);
+      for(const Line& line : lines_)
+        for(std::size_t i = 1; i + 1 < line.beads.size(); ++i)
+          if(!beads_[line.beads[i]].is_settled)
+            move_bead(line.beads, i);
+    }
+    join_junctions();
+    for(Line& line : lines_)
+    {
+      leave_out_folds_and_tops(line.beads);
+      decimate(line.beads);
+      for(const bool is_last : {false, true})
+        go_on_before_tip(line, is_last);
+    }
+  }
+
+  void join_junctions()
+  {
+    for(find_ends(); join_two_junctions();)
+      find_ends();
+  }
+
+  // Makes two junctions one that are nearer to each other than the surface is: the lines of one go on to the other.
+  bool join_two_junctions()
+  {
+    for(Line& line : lines_)
+    {
+      const Numbers path = line.beads;
+      if(path.empty() || path.front() == path.back())
+        continue;
+      const Bead &a = beads_[path.front()], &b = beads_[path.back()];
+      if(a.vertex || b.vertex || !(distance(a.point.point, b.point.point) < (std::min)(a.depth, b.depth)))
+        continue;
+      const bool is_from_front = a.depth < b.depth;
+      line.beads.clear();
+      line.joined = is_from_front ? path.back() : path.front();
+      joined_[is_from_front ? path.front() : path.back()] = line.joined;
+      extend(path, is_from_front);
+      return true;
+    }
+    return false;
+  }
+
+  // Leads all lines that end at the first bead of a path, or at the last one, along it to the other end. Each gets beads of its
+  // own, at the places where it ended.
+  void extend(Numbers path, bool is_from_front)
+  {
+    if(is_from_front)
+      std::reverse(path.begin(), path.end()); // now to the node that goes
+    for(Line& line : lines_)
+      for(const bool is_last : {false, true})
+      {
+        if(line.beads.empty() || (is_last ? line.beads.back() : line.beads.front()) != path.back())
+          continue;
+        Numbers added = {path.front()};
+        for(std::size_t i = 1; i != path.size(); ++i)
+        {
+          added.push_back(beads_.size());
+          beads_.push_back(Bead(beads_[path[i]]));
+          beads_.back().point.place = is_last ? line.length : 0;
+        }
+        if(is_last)
+          std::reverse(added.begin(), added.end());
+        line.beads.erase(is_last ? line.beads.end() - 1 : line.beads.begin());
+        line.beads.insert(is_last ? line.beads.end() : line.beads.begin(), added.begin(), added.end());
+      }
+  }
+
+  // Joins lines from where they part at a junction as long as they are within a quarter of the distance from the surface.
+  void join_lines()
+  {
+    Numbers nodes;
+    for(const auto& [node, ends] : ends_of_nodes_)
+      nodes.push_back(node);
+    for(std::size_t i = 0; i != nodes.size(); ++i)
+      for(int turn = 0; turn != 20 && join_lines_at(nodes[i]); ++turn)
+      {
+        find_ends();
+        if(ends_of_nodes_.rbegin()->first > nodes.back())
+          nodes.push_back(ends_of_nodes_.rbegin()->first);
+      }
+  }
+
+  bool join_lines_at(std::size_t node)
+  {
+    const auto ends = ends_of_nodes_[node];
+    if(ends.size() < 3 || beads_[node].vertex)
+      return false;
+    for(std::size_t i = 0; i != ends.size(); ++i)
+      for(std::size_t j = 0; j != i; ++j)
+        if(are_beside(node, ends[i], ends[j], ends.size() > 3) && join_two(node, ends[i], ends[j]))
+          return true;
+    return false;
+  }
+
+  // Whether two lines run beside each other at a node, and, if that is asked, until outside of the ball around it.
+  bool are_beside(std::size_t node, const End_of_line& a, const End_of_line& b, bool is_long) const
+  {
+    const std::size_t size_a = lines_[a.line].beads.size(), size_b = lines_[b.line].beads.size();
+    const std::size_t size = a.line == b.line ? size_a / 2 - 1 : (std::min)(size_a, size_b) - 1;
+    for(std::size_t i = 1; i < size; ++i)
+    {
+      const Bead &p = beads_[from_end(a, i)], &q = beads_[from_end(b, i)];
+      const double depth = (std::min)(p.depth, q.depth);
+      if(!(distance(p.point.point, q.point.point) < 0.25 * depth))
+        return false;
+      if(!is_long || distance(p.point.point, beads_[node].point.point) > (std::min)(depth, beads_[node].depth))
+        return true;
+    }
+    return false;
+  }
+
+  // Lets two lines part at their next points, if the surface is not in the way: the node moves there, or a new one is made.
+  bool join_two(std::size_t node, const End_of_line& a, const End_of_line& b)
+  {
+    const Bead &p = beads_[from_end(a, 1)], &q = beads_[from_end(b, 1)];
+    Line_point middle = p.point;
+    middle.point = CGAL::midpoint(p.point.point, q.point.point);
+    const Bead moved = make_bead(middle);
+    const auto can_part = [&](const End_of_line& end, const Bead& next) {
+      const Bead& after = beads_[from_end(end, 2)];
+      return is_free(beads_[node], next, moved.place()) && is_free(moved, next, after.place());
+    };
+    if(!can_part(a, p) || !can_part(b, q))
+      return false;
+    std::size_t parting = node;
+    const auto ends = ends_of_nodes_.at(node);
+    if(ends.size() == 3)
+    {
+      const auto is_of = [](const End_of_line& e, const End_of_line& f) {
+        return e.line == f.line && e.is_last == f.is_last;
+      };
+      const End_of_line& rest =
+        *std::find_if(ends.begin(), ends.end(), [&](const auto& end) { return !is_of(end, a) && !is_of(end, b); });
+      Line& line = lines_[rest.line];
+      beads_.push_back(beads_[node]);
+      beads_.back().point.place = rest.is_last ? line.length : 0;
+      line.beads.insert(rest.is_last ? line.beads.end() - 1 : line.beads.begin() + 1, beads_.size() - 1);
+    }
+    else
+    {
+      parting = beads_.size();
+      beads_.push_back(moved);
+      lines_.push_back({{node, parting}, 0, 0});
+    }
+    for(const End_of_line& end : {a, b})
+    {
+      Numbers& beads = lines_[end.line].beads;
+      beads.erase(end.is_last ? beads.end() - 2 : beads.begin() + 1);
+      (end.is_last ? beads.back() : beads.front()) = parting;
+    }
+    beads_[parting].point.point = moved.point.point;
+    beads_[parting].point.on_surface = moved.point.on_surface;
+    beads_[parting].depth = moved.depth;
+    return true;
+  }
+
+  // The price of an edge, and how that changes with its end `p`, where the distance is `depth` and grows towards `away`.
+  struct Cost
+  {
+    double value = 0;
+    Vector gradient = NULL_VECTOR;
+  };
+
+  void add_edge(const Point& p, double depth, const Vector& away, const Bead& other, Cost& cost) const
+  {
+    if(!(other.depth > 0))
+      return; // A tip can be beside the axis: it does not draw what is before it there.
+    const Vector edge = p - other.point.point;
+    const double size = length(edge), weight = (1 / depth + 1 / other.depth) / 2;
+    cost.value += size * weight;
+    if(size > 0)
+      cost.gradient = cost.gradient + weight / size * edge;
+    cost.gradient = cost.gradient - size / (2 * depth * depth) * away;
+  }
+
+  // A bend at `b` costs, too; the gradient is that of its point number `of`.
+  void add_bend(const Point& a, const Point& b, const Point& c, int of, Cost& cost) const
+  {
+    const Vector from = b - a, to = c - b;
+    const double before = length(from), after = length(to);
+    if(!(before > 0) || !(after > 0))
+      return;
+    const Vector u = from / before, v = to / after;
+    const double cosine = u * v, price = bending * smooth_;
+    cost.value += price * (1 - cosine);
+    const Vector by_from = 1 / before * (v - cosine * u), by_to = 1 / after * (u - cosine * v);
+    cost.gradient = cost.gradient + price * (of == 0 ? by_from : of == 1 ? by_to - by_from : -by_to);
+  }
+
+  Cost cost_of_bead(const Numbers& line, std::size_t i, const Point& p, double depth, const Vector& away) const
+  {
+    Cost cost;
+    const auto at = [&](std::size_t k) -> const Point& { return k == i ? p : beads_[line[k]].point.point; };
+    add_edge(p, depth, away, beads_[line[i - 1]], cost);
+    add_edge(p, depth, away, beads_[line[i + 1]], cost);
+    for(std::size_t k = (std::max)(i, std::size_t(2)) - 1; k <= i + 1 && k + 1 < line.size(); ++k)
+      add_bend(at(k - 1), at(k), at(k + 1), static_cast<int>(i + 1 - k), cost);
+    return cost;
+  }
+
+  // Thick lines hold a junction much more than thin ones: these begin in the middle of those.
+  Cost cost_of_node(const Numbers& neighbors, const Point& p, double depth, const Vector& away) const
+  {
+    Cost cost;
+    double most = 0;
+    for(const std::size_t neighbor : neighbors)
+      most = (std::max)(most, beads_[neighbor].depth);
+    for(const std::size_t neighbor : neighbors)
+    {
+      if(!(beads_[neighbor].depth > 0))
+        continue;
+      Cost of_edge;
+      add_edge(p, depth, away, beads_[neighbor], of_edge);
+      const double share = beads_[neighbor].depth / most, weight = share * share * share * share;
+      cost.value += weight * of_edge.value;
+      cost.gradient = cost.gradient + weight * of_edge.gradient;
+    }
+    return cost;
+  }
+
+  void move_bead(const Numbers& line, std::size_t i)
+  {
+    const Vector along = beads_[line[i + 1]].point.point - beads_[line[i - 1]].point.point;
+    move(line[i], {line[i - 1], line[i + 1]}, along,
+         [&](const Point& p, double depth, const Vector& away) { return cost_of_bead(line, i, p, depth, away); });
+  }
+
+  void move_node(std::size_t node)
+  {
+    Numbers neighbors;
+    for(const End_of_line& end : ends_of_nodes_[node])
+      neighbors.push_back(from_end(end, 1));
+    move(node, neighbors, NULL_VECTOR,
+         [&](const Point& p, double depth, const Vector& away) { return cost_of_node(neighbors, p, depth, away); });
+  }
+
+  // Moves down the gradient, across the line, if that pays.
+  template <class Cost_of>
+  void move(std::size_t number, const Numbers& neighbors, const Vector& along, const Cost_of& cost_of)
+  {
+    Bead& bead = beads_[number];
+    const double depth = bead.depth;
+    bead.is_settled = true;
+    if(!(depth > 0))
+      return;
+    const Point p = bead.point.point;
+    // Outside, only the length counts.
+    const auto away = [&](const Point& from, const Point& closest, double distance) {
+      return bead.is_outside ? Vector(NULL_VECTOR) : (from - closest) / distance;
+    };
+    const Cost before = cost_of(p, depth, away(p, bead.point.on_surface, depth));
+    Vector step = -bead.pace * depth * depth * before.gradient;
+    if(const double square = along.squared_length(); square > 0)
+      step = step - (step * along) / square * along;
+    const double size = length(step), most = 0.3 * depth;
+    if(size > most)
+      step = most / size * step;
+    if(!(size > least_share * depth))
+      return;
+    const Point q = p + step;
+    const Point closest = tree_.closest_on_wall(q, bead.point.on_surface);
+    const double new_depth = distance(q, closest), counted = bead.is_outside ? depth : new_depth;
+    if(!(new_depth > 0) || !(cost_of(q, counted, away(q, closest, new_depth)).value < before.value)
+       || !std::all_of(neighbors.begin(), neighbors.end(), [&](std::size_t neighbor) {
+            return is_free(beads_[neighbor], bead, {q, std::nullopt});
+          }))
+    {
+      bead.pace /= 2;
+      bead.is_settled = bead.pace < 0.02;
+      return;
+    }
+    bead.is_settled = false;
+    bead.point.point = q;
+    bead.point.on_surface = closest;
+    bead.depth = new_depth;
+    bead.is_outside = bead.is_outside && !tree_.is_inside(q);
+    bead.pace = (std::min)(1.4 * bead.pace, 1.);
+    for(const std::size_t neighbor : neighbors)
+      if(beads_[neighbor].is_settled)
+      {
+        beads_[neighbor].is_settled = false;
+        beads_[neighbor].pace = (std::max)(beads_[neighbor].pace, 0.1);
+      }
+  }
+
+  static constexpr double least_share = 0.003; // of the depth, in a step
+  static constexpr double bending = 0.1;
+};
+
+} // namespace CGAL::Reeb_graph::internal::skeleton
+
+#endif // CGAL_REEB_GRAPH_SKELETON_INTERNAL_LINE_CENTERING_H
