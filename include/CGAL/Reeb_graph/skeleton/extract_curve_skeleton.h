@@ -171,9 +171,9 @@ void add_component(const Reading& reading,
 /// along the surface where they would not wind around a hole, by linking numbers with curves on it. At last, lines are moved
 /// to where the sum of length by distance from the surface is least, with a price on bends; junctions nearer to each
 /// other than the surface are joined, and lines within a quarter of that from where they part. Each step is taken only if the
-/// surface does not meet what it sweeps. So no vertex is outside,
-/// no edge crosses a component that does not intersect itself, and no loop can be pulled to a point there. What remains on
-/// others, or where the numbers of the points end, is counted.
+/// surface does not meet what it sweeps; where edges cross a component that intersects itself, its lines stay. So no vertex is
+/// outside, no edge crosses a component that does not intersect itself, and no loop can be pulled to a point there. What
+/// remains on others, or where the numbers of the points end, is counted.
 /// Where a border passes a point twice, as at both sides of a slit, it is closed there, and what is left on one line is no end.
 /// The order of vertices does not matter if no two are at the same place, and neither does a unit that is a power of two.
 /// Each component is looked at without the others. In balls and flat parts, which have no axis, a line is one of many.
