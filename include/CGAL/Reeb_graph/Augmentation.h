@@ -19,7 +19,6 @@
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
-#include <CGAL/Reeb_graph/internal/way_back/vertex_places.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph_traits.h>
