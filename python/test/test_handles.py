@@ -93,7 +93,7 @@ def test_removal(tmp_path):
         assert getattr(removal, key) == row[key]
     assert np.array_equal(removal.vertices, row["vertices"]) and np.array_equal(removal.box, row["box"])
     assert [loop.component for loop in reeb_graph.handles(cut.triangles, cut.points).loops] == [0, 0]
-    percents = 200 / np.linalg.norm(np.ptp(points, axis=0))
+    percents = float(200 / np.linalg.norm(np.ptp(points, axis=0)))
     for below in (f"{percents!r}%", f"{percents!r} %"):
         assert len(reeb_graph.remove_handles(triangles, points, below=below).removals) == 1
     assert not reeb_graph.remove_handles(triangles, points, below="0 %").removals
