@@ -62,7 +62,7 @@ void for_each_index(std::size_t size, const Function& function)
   if constexpr(is_parallel<ConcurrencyTag>())
   {
 #ifdef CGAL_LINKED_WITH_TBB
-    tbb::parallel_for(std::size_t(0), size, std::function<void(std::size_t)>(std::cref(function)));
+    tbb::parallel_for(std::size_t(0), size, std::function<void(std::size_t)>([&](std::size_t i) { function(i); }));
 #endif
   }
   else
@@ -154,7 +154,7 @@ void invoke_both(const First& first, const Second& second)
   if constexpr(is_parallel<ConcurrencyTag>())
   {
 #ifdef CGAL_LINKED_WITH_TBB
-    tbb::parallel_invoke(std::function<void()>(std::cref(first)), std::function<void()>(std::cref(second)));
+    tbb::parallel_invoke(std::function<void()>([&] { first(); }), std::function<void()>([&] { second(); }));
 #endif
   }
   else
