@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_REPORT_H
 #define CGAL_REEB_GRAPH_SRC_REPORT_H
 
+#include "base/costs.h"
 #include "base/input_findings.h"
 #include "base/surface.h"
 
@@ -18,6 +19,9 @@
 #include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
+#include <boost/core/noncopyable.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -172,8 +176,8 @@ struct Work_report
   std::vector<std::string> notes;                      // on the input, and on what the user may not expect
   std::vector<std::pair<std::string, double>> seconds; // in the order in which they were spent
 
-  // Adds to the seconds of a step, which is a new one if there is none of this name.
-  void add_seconds(const std::string& step, double spent)
+  // Adds to the seconds of a step, which is a new one if there is none of this name: the last one, or at a place.
+  void add_seconds(const std::string& step, double spent, std::size_t place = static_cast<std::size_t>(-1))
   {
     for(auto& [name, sum] : seconds)
       if(name == step)
@@ -181,9 +185,32 @@ struct Work_report
         sum += spent;
         return;
       }
-    seconds.emplace_back(step, spent);
+    seconds.emplace(seconds.begin() + static_cast<std::ptrdiff_t>(std::min(place, seconds.size())), step, spent);
   }
 };
+
+// As long as it lives, a step is done: its seconds go into the report, before those of steps within it.
+class Timed_step : boost::noncopyable
+{
+public:
+  Timed_step(Work_report& report, const std::string& step) : report_(report), step_(step), place_(report.seconds.size())
+  {}
+  ~Timed_step() { report_.add_seconds(step_, stopwatch_.seconds(), place_); }
+
+private:
+  Work_report& report_;
+  std::string step_;
+  std::size_t place_;
+  Stopwatch stopwatch_;
+};
+
+// What a step gives.
+template <class Work>
+auto timed(Work_report& report, const std::string& step, const Work& work)
+{
+  const Timed_step timed(report, step);
+  return work();
+}
 
 // Where a loop is. Its center is the mean of its points, by length.
 struct Loop_place

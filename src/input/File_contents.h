@@ -11,6 +11,7 @@
 
 #include "input/input_error.h"
 
+#include <boost/core/noncopyable.hpp>
 #include <boost/endian/conversion.hpp>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ Number decode(const char* bytes, bool is_reversed)
 inline bool is_machine_big_endian() { return boost::endian::order::native == boost::endian::order::big; }
 
 // All bytes of a file. They are read, not mapped: a file that shrinks meanwhile is an error, and no end of the program.
-class File_contents
+class File_contents : boost::noncopyable
 {
 public:
   explicit File_contents(const std::string& path)
@@ -66,9 +67,6 @@ public:
   }
 
   std::string_view text() const { return text_; }
-
-  File_contents(const File_contents&) = delete;
-  File_contents& operator=(const File_contents&) = delete;
 
 private:
   void read(std::ifstream& file, std::size_t size)

@@ -47,6 +47,8 @@ public:
     return Polygon(corners_.data() + begin(i), corners_.data() + begin(i + 1));
   }
 
+  Polygon corners() const { return Polygon(corners_.data(), corners_.data() + corners_.size()); } // of all
+
   void add_corner(std::size_t vertex) { corners_.push_back(corner(vertex)); }
   // Ends the polygon of the corners that have been added since the last one.
   void end_polygon()
@@ -94,6 +96,26 @@ private:
   std::vector<std::size_t> ends_;
   std::size_t size_ = 0;
 };
+
+// The point whose coordinates next() gives, one after the other.
+template <class Next>
+Point point_of(const Next& next)
+{
+  const double x = next(), y = next(), z = next();
+  return Point(x, y, z);
+}
+
+// Calls visit(u, v) for the ends of each side.
+template <class Visit>
+void for_each_side(const Polygons& polygons, const Visit& visit)
+{
+  for(std::size_t i = 0; i < polygons.size(); ++i)
+  {
+    Corner previous = *(polygons[i].end() - 1);
+    for(const Corner v : polygons[i])
+      visit(std::exchange(previous, v), v);
+  }
+}
 
 // The mean of the corners of a polygon, which does not overflow.
 template <class Vertices>
@@ -152,8 +174,7 @@ inline void join_polygons(const std::vector<Polygon_soup>& parts, Polygon_soup& 
   {
     Corner* const corners = soup.polygons.make_triangles(begins.back());
     run_tasks(parts.size(), [&](std::size_t i) {
-      if(begins[i] != begins[i + 1])
-        std::copy_n(parts[i].polygons[0].begin(), parts[i].polygons.number_of_corners(), corners + 3 * begins[i]);
+      std::copy(parts[i].polygons.corners().begin(), parts[i].polygons.corners().end(), corners + 3 * begins[i]);
     });
     return;
   }

@@ -32,9 +32,8 @@ public:
       numbers_of_corners_(number_of_vertices),
       last_edges_(number_of_vertices, none)
   {
-    for(std::size_t i = 0; i < polygons.size(); ++i)
-      for(const Corner v : polygons[i])
-        ++numbers_of_corners_[v];
+    for(const Corner v : polygons.corners())
+      ++numbers_of_corners_[v];
     const auto least_edges = static_cast<Index>(polygons.number_of_corners() / 2); // all if there is no border
     surface_.resize(static_cast<Index>(number_of_vertices), least_edges, static_cast<Index>(polygons.size()));
     earlier_edges_.reserve(least_edges);

@@ -8,7 +8,6 @@
 
 #include "input/field_input.h"
 
-#include "base/costs.h"
 #include "base/progress_bar.h"
 #include "base/surface.h"
 #include "computation/analysis.h"
@@ -410,10 +409,9 @@ void read_field(const Input_options& options, const Surface& surface, Scalar_map
 // The map, with the field if it is read.
 Scalar_map add_given_field(const Input_options& options, Surface& surface, Work_report& report)
 {
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "read");
   Scalar_map scalar_map = surface.add_property_map<Surface::Vertex_index, double>("v:scalar").first;
   read_field(options, surface, scalar_map);
-  report.add_seconds("read", stopwatch.seconds());
   return scalar_map;
 }
 
@@ -445,13 +443,12 @@ void check_kind(const std::string& what, const Input_options& options, const Mes
 
 Mesh read_mesh(const Input_options& options, Work_report& report)
 {
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "read");
   const Progress_bar progress_bar("reading");
   check_field_options(options);
   Repair_options repair = all_repairs(options.least_share);
   repair.is_split = options.is_repaired;
   Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options), &repair);
-  report.add_seconds("read", stopwatch.seconds());
   report.notes.insert(report.notes.end(), mesh.notes.begin(), mesh.notes.end());
   report.input = mesh.findings;
   report.repair = mesh.repair;
@@ -481,9 +478,8 @@ Scalar_map add_field(const Input_options& options, Surface& surface, Work_report
   Scalar_map scalar_map = add_given_field(options, surface, report);
   if(is_computed(options.field))
   {
-    const Stopwatch field_stopwatch;
+    const Timed_step timed(report, "field");
     compute_scalar_field(options, surface, scalar_map, report);
-    report.add_seconds("field", field_stopwatch.seconds());
   }
   return scalar_map;
 }
@@ -493,11 +489,10 @@ Scalar_map add_field(const Input_options& options, Mesh& mesh, Work_report& repo
   if(!mesh.complex || options.field != "geodesic")
     return add_field(options, mesh.surface, report);
   Scalar_map scalar_map = add_given_field(options, mesh.surface, report);
-  const Stopwatch field_stopwatch;
+  const Timed_step timed(report, "field");
   report.fixed_values = Fixed_values{options.field, {}, {}};
   for(const std::size_t source : compute_distances_along_edges(mesh, options.source_vertices, scalar_map))
     report.fixed_values->vertices.push_back({source, 0});
-  report.add_seconds("field", field_stopwatch.seconds());
   return scalar_map;
 }
 

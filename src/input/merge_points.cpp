@@ -40,9 +40,7 @@ Polygons normalize(const Polygons& polygons, bool have_same_orientation)
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     if(!have_same_orientation && corners.back() < corners[1])
       std::reverse(corners.begin() + 1, corners.end());
-    for(const Corner v : corners)
-      result.add_corner(v);
-    result.end_polygon();
+    result.add(corners);
   }
   return result;
 }
@@ -233,15 +231,7 @@ std::vector<Corner> border_points(const Polygons& polygons)
 {
   std::vector<std::pair<Corner, Corner>> sides;
   sides.reserve(polygons.number_of_corners());
-  for(std::size_t i = 0; i < polygons.size(); ++i)
-  {
-    Corner previous = *(polygons[i].end() - 1);
-    for(const Corner v : polygons[i])
-    {
-      sides.emplace_back(std::minmax(previous, v));
-      previous = v;
-    }
-  }
+  for_each_side(polygons, [&](Corner u, Corner v) { sides.emplace_back(std::minmax(u, v)); });
   std::sort(sides.begin(), sides.end());
   std::vector<Corner> result;
   for(std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)

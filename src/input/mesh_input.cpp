@@ -169,16 +169,7 @@ bool has_free_edges(const Polygon_soup& soup)
   if(soup.edges.empty())
     return false;
   std::vector<std::pair<Corner, Corner>> sides;
-  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
-  {
-    const Polygons::Polygon polygon = soup.polygons[i];
-    Corner previous = *(polygon.end() - 1);
-    for(const Corner v : polygon)
-    {
-      sides.emplace_back(std::minmax(previous, v));
-      previous = v;
-    }
-  }
+  for_each_side(soup.polygons, [&](Corner u, Corner v) { sides.emplace_back(std::minmax(u, v)); });
   std::sort(sides.begin(), sides.end());
   return std::any_of(soup.edges.begin(), soup.edges.end(), [&](const std::array<Corner, 2>& edge) {
     return !std::binary_search(sides.begin(), sides.end(), std::pair<Corner, Corner>(std::minmax(edge[0], edge[1])));
@@ -195,11 +186,7 @@ bool orient(Polygon_soup& soup)
     return false;
   soup.polygons = Polygons();
   for(const std::vector<std::size_t>& polygon : polygons)
-  {
-    for(const std::size_t v : polygon)
-      soup.polygons.add_corner(v);
-    soup.polygons.end_polygon();
-  }
+    soup.polygons.add(polygon);
   return true;
 }
 
@@ -223,8 +210,8 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const Polygons& polygons)
 {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   triangles.reserve(polygons.size());
-  for(std::size_t i = 0; i < polygons.size(); ++i)
-    triangles.push_back({polygons[i].begin()[0], polygons[i].begin()[1], polygons[i].begin()[2]});
+  for(auto v = polygons.corners().begin(); v != polygons.corners().end(); v += 3)
+    triangles.push_back({v[0], v[1], v[2]});
   return triangles;
 }
 
@@ -285,15 +272,13 @@ void look_over_points(const Polygon_soup& soup, const std::vector<Corner>& borde
 {
   findings.close_points = count_close_points(soup.points, border_points);
   std::vector<char> is_isolated(soup.points.size(), 1);
-  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
-    for(const Corner v : soup.polygons[i])
+  const auto reach = [&](const auto& vertices) {
+    for(const Corner v : vertices)
       is_isolated[v] = 0;
-  for(const auto& edge : soup.edges)
-    for(const Corner v : edge)
-      is_isolated[v] = 0;
-  for(const auto& tetrahedron : soup.tetrahedra)
-    for(const Corner v : tetrahedron)
-      is_isolated[v] = 0;
+  };
+  reach(soup.polygons.corners());
+  std::for_each(soup.edges.begin(), soup.edges.end(), reach);
+  std::for_each(soup.tetrahedra.begin(), soup.tetrahedra.end(), reach);
   findings.points = soup.points.size();
   findings.isolated_points = static_cast<std::size_t>(std::count(is_isolated.begin(), is_isolated.end(), 1));
 }

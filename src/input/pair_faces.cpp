@@ -24,64 +24,47 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Exact_point
 
 Exact_point exact(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-// Sets of faces that agree, each with whether it is reversed against the others of its set.
+// Sets of faces that agree, each as it is and reversed.
 class Orientations
 {
 public:
-  explicit Orientations(std::size_t size) : parents_(size), sizes_(size, 1), is_turned_(size, 0)
-  {
-    std::iota(parents_.begin(), parents_.end(), std::size_t(0));
-  }
-
-  // The face that stands for the set, and whether this one is reversed against it.
-  std::pair<std::size_t, bool> find(std::size_t face) const
-  {
-    bool is_turned = false;
-    for(; parents_[face] != face; face = parents_[face])
-      is_turned ^= is_turned_[face] != 0;
-    return {face, is_turned};
-  }
+  explicit Orientations(std::size_t size) : size_(size), sets_(2 * size) {}
 
   // Returns false if the faces are in one set that says otherwise.
   bool unite(std::size_t one, std::size_t other, bool is_turned)
   {
-    auto [a, is_a_turned] = find(one);
-    auto [b, is_b_turned] = find(other);
-    is_turned ^= is_a_turned ^ is_b_turned;
-    if(a == b)
-      return !is_turned;
-    if(sizes_[a] > sizes_[b])
-      std::swap(a, b);
-    parents_[a] = b;
-    sizes_[b] += sizes_[a];
-    is_turned_[a] = is_turned ? 1 : 0;
+    const std::size_t turn = is_turned ? 1 : 0;
+    if(sets_.find(2 * one) == sets_.find(2 * other + 1 - turn))
+      return false;
+    for(const std::size_t side : {0, 1})
+      sets_.unite(2 * one + side, 2 * other + (side ^ turn));
     return true;
   }
 
   // The fewest faces that are to be reversed; of two halves, not the one with the first face.
-  std::vector<char> turned() const
+  std::vector<char> turned()
   {
-    std::vector<std::size_t> numbers_turned(parents_.size(), 0), firsts(parents_.size(), parents_.size());
-    std::vector<char> result(parents_.size());
-    for(std::size_t i = 0; i < parents_.size(); ++i)
+    std::vector<std::size_t> numbers(2 * size_, 0), firsts(2 * size_, size_); // of faces as they are, by set
+    std::vector<char> result(size_);
+    for(std::size_t i = 0; i < size_; ++i)
     {
-      const auto [root, is_turned] = find(i);
-      result[i] = is_turned ? 1 : 0;
-      numbers_turned[root] += is_turned ? 1 : 0;
-      firsts[root] = std::min(firsts[root], i);
+      ++numbers[sets_.find(2 * i)];
+      firsts[sets_.find(2 * i)] = std::min(firsts[sets_.find(2 * i)], i);
     }
-    for(std::size_t i = 0; i < parents_.size(); ++i)
+    for(std::size_t i = 0; i < size_; ++i)
     {
-      const std::size_t root = find(i).first, twice = 2 * numbers_turned[root];
-      if(twice > sizes_[root] || (twice == sizes_[root] && find(firsts[root]).second))
-        result[i] ^= 1;
+      const std::size_t here = sets_.find(2 * i), opposite = sets_.find(2 * i + 1);
+      result[i] =
+        numbers[here] < numbers[opposite] || (numbers[here] == numbers[opposite] && firsts[opposite] < firsts[here])
+          ? 1
+          : 0;
     }
     return result;
   }
 
 private:
-  std::vector<std::size_t> parents_, sizes_;
-  std::vector<char> is_turned_;
+  std::size_t size_;
+  Union_find_of_indices sets_;
 };
 
 // The faces of an edge, around it.

@@ -122,9 +122,6 @@ private:
   bool is_reversed_;
 };
 
-} // namespace ply
-
-namespace ply {
 // The numbers behind the header.
 class Data
 {
@@ -145,8 +142,7 @@ public:
       input_.fail("the file ends too early");
     const char* const first = bytes_.data();
     bytes_.remove_prefix(size);
-    const bool is_order_reversed = is_reversed();
-    return call_with_number(type, [&](auto n) -> double { return decode<decltype(n)>(first, is_order_reversed); });
+    return decode_number(type, first, is_reversed());
   }
 
   // Reads a property: one number, or those of a list.

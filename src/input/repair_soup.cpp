@@ -67,9 +67,8 @@ std::vector<std::size_t> count_fans(const Polygons& polygons,
     }
   std::vector<std::size_t> numbers(number_of_vertices, 0);
   std::size_t corner = 0;
-  for(std::size_t i = 0; i < polygons.size(); ++i)
-    for(const Corner v : polygons[i])
-      numbers[v] += fans.is_root(corner++) ? 1 : 0;
+  for(const Corner v : polygons.corners())
+    numbers[v] += fans.is_root(corner++) ? 1 : 0;
   return numbers;
 }
 
@@ -435,9 +434,8 @@ private:
   std::vector<char> are_on_faces() const
   {
     std::vector<char> result(soup_.points.size(), 0);
-    for(std::size_t i = 0; i < soup_.polygons.size(); ++i)
-      for(const Corner v : soup_.polygons[i])
-        result[v] = 1;
+    for(const Corner v : soup_.polygons.corners())
+      result[v] = 1;
     return result;
   }
 

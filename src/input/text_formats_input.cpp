@@ -193,14 +193,6 @@ std::size_t read_corner(const Text_input& input, std::string_view word, std::siz
   return static_cast<std::size_t>(vertex > 0 ? vertex - 1 : earlier + vertex);
 }
 
-Point read_point(Text_input& input)
-{
-  std::array<double, 3> coordinates = {};
-  for(double& coordinate : coordinates)
-    coordinate = input.number<double>(input.word_of_line());
-  return Point(coordinates[0], coordinates[1], coordinates[2]);
-}
-
 // The vertices of a face or a line. Returns the highest one, 0 if there is none.
 std::size_t read_corners(Text_input& input, std::size_t number_of_earlier, std::vector<std::size_t>& corners)
 {
@@ -247,7 +239,7 @@ Polygon_soup read_lines(Text_input& input, std::size_t number_before, Line_facts
   {
     const std::string_view keyword = input.word_of_line();
     if(keyword == "v")
-      soup.points.push_back(read_point(input));
+      soup.points.push_back(point_of([&] { return input.number<double>(input.word_of_line()); }));
     else if(keyword == "f" || keyword == "fo" || keyword == "l")
     {
       const std::size_t highest = read_corners(input, number_before + soup.points.size(), corners);
@@ -327,10 +319,7 @@ public:
     const auto number = input_.number<long long>(input_.word_of_line());
     if(!positions_.emplace(number, positions_.size()).second)
       input_.fail("there is a vertex " + std::to_string(number) + " before");
-    std::array<double, 3> coordinates = {};
-    for(double& coordinate : coordinates)
-      coordinate = input_.number<double>(input_.word_of_line());
-    return Point(coordinates[0], coordinates[1], coordinates[2]);
+    return point_of([&] { return input_.number<double>(input_.word_of_line()); });
   }
 
   // Reads the numbers of the vertices of a triangle.
@@ -412,18 +401,14 @@ std::array<Corner, n> next_simplex(Text_input& input)
 template <std::size_t n>
 void add_polygon(Text_input& input, Polygons& polygons)
 {
-  for(const Corner v : next_simplex<n>(input))
-    polygons.add_corner(v);
-  polygons.end_polygon();
+  polygons.add(next_simplex<n>(input));
 }
 
 Point next_point(Text_input& input)
 {
-  std::array<double, 3> coordinates;
-  for(double& coordinate : coordinates)
-    coordinate = next_number<double>(input);
+  const Point point = point_of([&] { return next_number<double>(input); });
   next_number<long long>(input);
-  return Point(coordinates[0], coordinates[1], coordinates[2]);
+  return point;
 }
 
 // How many numbers each entry has of a section that says nothing of the complex; 0 if there is no such section.

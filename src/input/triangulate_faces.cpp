@@ -38,12 +38,7 @@ public:
   explicit Taken_edges(const Polygon_soup& soup)
   {
     sides_.reserve(soup.polygons.number_of_corners() + soup.edges.size());
-    for(std::size_t i = 0; i < soup.polygons.size(); ++i)
-    {
-      Corner previous = *(soup.polygons[i].end() - 1);
-      for(const Corner v : soup.polygons[i])
-        sides_.push_back(key(std::exchange(previous, v), v));
-    }
+    for_each_side(soup.polygons, [&](Corner u, Corner v) { sides_.push_back(key(u, v)); });
     for(const auto& [u, v] : soup.edges)
       sides_.push_back(key(u, v));
     std::sort(sides_.begin(), sides_.end());

@@ -159,25 +159,24 @@ std::string decode_base64(std::string_view text, std::size_t most)
 class Vtk_xml_bytes
 {
 public:
-  Vtk_xml_bytes(const std::string& path, const std::string& name, std::string_view text, bool is_base64)
+  Vtk_xml_bytes(const std::string& path,
+                const std::string& name,
+                std::string_view text,
+                bool is_base64,
+                std::size_t size_of_number,
+                bool is_swapped)
     : path_(path),
       name_(name),
       text_(text),
-      is_base64_(is_base64)
+      is_base64_(is_base64),
+      is_swapped_(is_swapped),
+      size_of_number_(size_of_number)
   {}
 
-  std::string_view read(std::size_t size_of_number, bool is_swapped)
-  {
-    size_of_number_ = size_of_number;
-    is_swapped_ = is_swapped;
-    const std::size_t size = header_number(0);
-    return take(add(size_of_number_, size)).substr(size_of_number_);
-  }
+  std::string_view read() { return take(add(size_of_number_, header_number(0))).substr(size_of_number_); }
 
-  std::string_view read_compressed(std::size_t size_of_number, bool is_swapped)
+  std::string_view read_compressed()
   {
-    size_of_number_ = size_of_number;
-    is_swapped_ = is_swapped;
     const std::size_t number = header_number(0);
     if(number == 0)
       return {};
@@ -259,8 +258,8 @@ private:
   const std::string &path_, &name_;
   std::string_view text_, bytes_;
   std::string decoded_, whole_;
-  bool is_base64_, is_swapped_ = false;
-  std::size_t size_of_number_ = 4;
+  bool is_base64_, is_swapped_;
+  std::size_t size_of_number_;
 };
 
 // Reads the numbers of arrays: as text, in base64 code, or raw, each of which may be behind all elements, and the last
@@ -295,16 +294,6 @@ public:
   }
 
   // All numbers of an array. `name` is for messages.
-  std::vector<double> numbers(const std::string& name, const Vtk_xml_array& array) const
-  {
-    return read<double>(name, array);
-  }
-  std::vector<std::size_t> indices(const std::string& name, const Vtk_xml_array& array) const
-  {
-    return read<std::size_t>(name, array);
-  }
-
-private:
   template <class Number>
   std::vector<Number> read(const std::string& name, const Vtk_xml_array& array) const
   {
@@ -318,10 +307,8 @@ private:
     if(is_appended && (parse_number(array.tag.attribute("offset"), offset) != std::errc() || offset > appended_.size()))
       throw Input_error(path_, "the array of " + name + " begins behind the end of the file");
     Vtk_xml_bytes source(path_, name, is_appended ? appended_.substr(offset) : array.text,
-                         !is_appended || !is_appended_raw_);
-    const std::string_view bytes = are_numbers_compressed_
-                                   ? source.read_compressed(size_of_header_number_, are_bytes_swapped_)
-                                   : source.read(size_of_header_number_, are_bytes_swapped_);
+                         !is_appended || !is_appended_raw_, size_of_header_number_, are_bytes_swapped_);
+    const std::string_view bytes = are_numbers_compressed_ ? source.read_compressed() : source.read();
     std::vector<Number> result;
     if(!call_with_vtk_type(array.tag.attribute("type"), [&](auto number) {
          result = decode_vtk_numbers<Number, decltype(number)>(bytes, are_bytes_swapped_);
@@ -330,6 +317,7 @@ private:
     return result;
   }
 
+private:
   template <class Number>
   std::vector<Number> read_text(std::string_view text) const
   {
@@ -449,7 +437,7 @@ private:
     if(const std::size_t number_of_cells = size(piece, "NumberOfCells"))
     {
       const Vtk_xml_array& types = array(piece, "Cells types");
-      cells.types = arrays_.indices("types", types);
+      cells.types = arrays_.read<std::size_t>("types", types);
       if(cells.types.size() != number_of_cells)
         fail("the array of types has " + std::to_string(cells.types.size()) + " numbers instead of "
              + std::to_string(number_of_cells));
@@ -472,7 +460,7 @@ private:
     for(const auto& [name, array] : piece.arrays)
       if(name.substr(0, 7) == "Points ")
       {
-        const std::vector<double> coordinates = arrays_.numbers("points", array);
+        const std::vector<double> coordinates = arrays_.read<double>("points", array);
         const std::string components = array.tag.attribute("NumberOfComponents", "1");
         if(components != "3" || coordinates.size() / 3 != number || coordinates.size() % 3 != 0)
           fail("the array of points has " + std::to_string(coordinates.size()) + " numbers, " + components
@@ -490,7 +478,7 @@ private:
     Vertex_field field = {array.tag.attribute("Name"), array.tag.attribute("type"), {}};
     if(!choice_.is_wanted(field.name) || (choice_.are_all_wanted && field.type == "Bit"))
       return;
-    field.numbers = arrays_.numbers(quote(field.name), array);
+    field.numbers = arrays_.read<double>(quote(field.name), array);
     if(field.numbers.size() != number_of_points)
       fail("the array of " + quote(field.name) + " has " + std::to_string(field.numbers.size()) + " numbers instead of "
            + std::to_string(number_of_points));
@@ -507,10 +495,10 @@ private:
 
   void add_cells(const Vtk_xml_piece& piece, const std::string& section, std::size_t number, Vtk_cells& cells) const
   {
-    const std::vector<std::size_t> ends = arrays_.indices("offsets", array(piece, section + " offsets"));
+    const std::vector<std::size_t> ends = arrays_.read<std::size_t>("offsets", array(piece, section + " offsets"));
     if(ends.size() != number)
       fail("the array of offsets has " + std::to_string(ends.size()) + " numbers instead of " + std::to_string(number));
-    add_vtk_vertices(path_, ends, arrays_.indices("connectivity", array(piece, section + " connectivity")),
+    add_vtk_vertices(path_, ends, arrays_.read<std::size_t>("connectivity", array(piece, section + " connectivity")),
                      cells.vertices);
   }
 
