@@ -11,6 +11,8 @@
 
 #include "base/costs.h"
 
+#include <boost/core/noncopyable.hpp>
+
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -23,14 +25,12 @@
 namespace reeb_graph_program {
 // Shows how far long work is. It appears after a while only, also if the work does not say how far it is, and is gone
 // when the work is done. Of several bars of a thread, the last one is shown.
-class Progress_bar
+class Progress_bar : boost::noncopyable
 {
 public:
   // To the Progress_listener of this thread if there is one, else on standard error if that is a terminal.
   explicit Progress_bar(const std::string& name_of_work);
   Progress_bar(const std::string& name_of_work, std::ostream* terminal, double seconds_until_shown);
-  Progress_bar(const Progress_bar&) = delete;
-  Progress_bar& operator=(const Progress_bar&) = delete;
   ~Progress_bar();
 
   // The form that the named parameter `callback` has: `fraction` is between 0 and 1, and the work shall go on unless
@@ -62,12 +62,10 @@ private:
 
 // As long as it lives, the bars that its thread makes show nothing, and ask this function instead whether to go on. It
 // is called by any thread that does the work.
-class Progress_listener
+class Progress_listener : boost::noncopyable
 {
 public:
   explicit Progress_listener(const std::function<bool(double)>& listener);
-  Progress_listener(const Progress_listener&) = delete;
-  Progress_listener& operator=(const Progress_listener&) = delete;
   ~Progress_listener();
 
 private:

@@ -17,11 +17,12 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
 
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -77,27 +78,10 @@ struct Mesh
 
 // The numbers by which files know vertices: those of the surface, or others where the surface has the vertices of nodes
 // only.
-class Vertex_numbers
-{
-public:
-  typedef Surface::Vertex_index key_type;
-  typedef std::uint64_t value_type;
-  typedef std::uint64_t reference;
-  typedef boost::readable_property_map_tag category;
-
-  Vertex_numbers() = default;
-  // `numbers` has to outlive this object.
-  explicit Vertex_numbers(const std::vector<std::uint64_t>& numbers) : numbers_(&numbers) {}
-  explicit Vertex_numbers(const std::vector<std::uint64_t>&&) = delete;
-
-  friend std::uint64_t get(const Vertex_numbers& map, Surface::Vertex_index v)
-  {
-    return map.numbers_ == nullptr ? v.idx() : (*map.numbers_)[v.idx()];
-  }
-
-private:
-  const std::vector<std::uint64_t>* numbers_ = nullptr;
-};
+typedef boost::
+  function_property_map<std::function<std::uint64_t(Surface::Vertex_index)>, Surface::Vertex_index, std::uint64_t>
+    Vertex_numbers;
+inline const Vertex_numbers own_numbers([](Surface::Vertex_index v) { return v.idx(); });
 
 template <class Number>
 std::optional<Vertex_property<Number>> find_vertex_property(const Surface& surface, const std::string& name)

@@ -116,7 +116,7 @@ void write_pairs_and_diagram(const Compute_options& options,
                              const Graph& graph,
                              double threshold,
                              Report& report,
-                             const Vertex_numbers& vertex_numbers = {});
+                             const Vertex_numbers& vertex_numbers = own_numbers);
 
 // They print to standard output, or to standard error if a file is written there, and throw an exception derived from std::exception for any error.
 void run_compute(const Compute_options& options);

@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/costs.h"
 #include "base/report.h"
 #include "base/surface.h"
 #include "commands/commands.h"
@@ -65,7 +64,7 @@ void add_base(double base, std::vector<double>& values)
 
 Embedding embed_and_time(const Compute_options& options, bool is_surface, Mesh_graph& graph, Report& report)
 {
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "embed");
   // tables hold no lines, only the points of nodes
   const auto default_manner = !is_surface || std::filesystem::path(options.graph_path).extension() == ".csv"
                               ? CGAL::Reeb_graph::Embedding_manner::STRAIGHT
@@ -75,7 +74,6 @@ Embedding embed_and_time(const Compute_options& options, bool is_surface, Mesh_g
   for(std::vector<double>& values : result.arc_values)
     add_base(options.base, values);
   report.embedding_manner = result.manner;
-  report.seconds.emplace_back("embed", stopwatch.seconds());
   return result;
 }
 
@@ -99,12 +97,11 @@ std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_optio
   std::vector<CGAL::Reeb_graph::Attribute> attributes;
   if(has_table || has_attributes)
   {
-    const Stopwatch stopwatch;
+    const Timed_step timed(report, "measure");
     const Arc_table& table = graph.arc_table();
     if(has_table)
       report.arc_table = &table;
     attributes = table.attributes(options.base);
-    report.seconds.emplace_back("measure", stopwatch.seconds());
   }
   std::optional<Embedding> embedding;
   if(is_format_in_space(options.graph_path))
@@ -113,7 +110,7 @@ std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_optio
     attributes.clear();
   if(!embedding && !has_places)
     return attributes;
-  const Stopwatch output_stopwatch;
+  const Timed_step timed(report, "output");
   if(!options.vertex_arcs_path.empty())
     write_vertex_arcs(options.vertex_arcs_path, graph.places(), number_of_nodes);
   if(!options.mesh_path.empty())
@@ -125,7 +122,6 @@ std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_optio
     write_graph_in_space(options.graph_path, with_base(graph.result(), options.base, copy), *embedding, attributes,
                          [&](std::ostream& stream) { graph.write_json(stream, *embedding, attributes, options.base); });
   }
-  report.add_seconds("output", output_stopwatch.seconds());
   return attributes;
 }
 
@@ -136,11 +132,10 @@ void write_graph_file(const Compute_options& options,
 {
   if(options.graph_path.empty() || is_format_in_space(options.graph_path))
     return;
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "output");
   std::optional<Graph> copy;
-  write_graph(options.graph_path, with_base(graph, options.base, copy), field_label(options.input, options.unit), {},
-              arc_attributes);
-  report.add_seconds("output", stopwatch.seconds());
+  write_graph(options.graph_path, with_base(graph, options.base, copy), field_label(options.input, options.unit),
+              own_numbers, arc_attributes);
 }
 
 void write_page_file(const Compute_options& options,
@@ -151,12 +146,11 @@ void write_page_file(const Compute_options& options,
 {
   if(options.page_path.empty())
     return;
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "page");
   write_page(options.page_path,
              {scalar_map, graph, options.title.empty() ? name_of_input(options.input.mesh_path) : options.title,
               field_label(options.input, options.unit), options.simplification, options.up, std::nullopt,
               loops.polylines, loops.rows});
-  report.seconds.emplace_back("page", stopwatch.seconds());
 }
 
 void write_simplified_field(const Compute_options& options,
@@ -167,14 +161,13 @@ void write_simplified_field(const Compute_options& options,
 {
   if(options.simplified_scalars_path.empty())
     return;
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "simplified field");
   const Scalar_map simplified_map = mesh.surface.add_property_map<Surface::Vertex_index, double>("v:simplified").first;
   const Simplified_field field =
     compute_simplified_field(mesh, scalar_map, graph, options.graph, options.simplification, simplified_map);
   report.simplification->largest_change = field.largest_change;
   report.simplification->are_ties_contracted = field.are_ties_contracted;
   write_scalars(options.simplified_scalars_path, mesh.surface, simplified_map);
-  report.seconds.emplace_back("simplified field", stopwatch.seconds());
 }
 
 // Returns what the file has.
@@ -182,11 +175,10 @@ Loops_of_surface write_longest_loop(const Compute_options& options, Mesh_graph& 
 {
   if(options.loop_path.empty())
     return {};
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "longest loop");
   const Loops_of_surface loops = find_longest_loop(graph);
   write_loops(options.loop_path, loops);
   report.longest_loop = loops.rows.front();
-  report.seconds.emplace_back("longest loop", stopwatch.seconds());
   return loops;
 }
 
@@ -251,14 +243,11 @@ void write_pairs_and_diagram(const Compute_options& options,
                              Report& report,
                              const Vertex_numbers& vertex_numbers)
 {
-  const Stopwatch thresholds_stopwatch;
-  report.thresholds = find_thresholds(graph, options.simplification.are_loops_cancelled);
-  report.seconds.emplace_back("thresholds", thresholds_stopwatch.seconds());
+  report.thresholds =
+    timed(report, "thresholds", [&] { return find_thresholds(graph, options.simplification.are_loops_cancelled); });
   if(options.pairs_path.empty() && options.diagram_path.empty())
     return;
-  const Stopwatch stopwatch;
-  const std::vector<Persistence_pair> pairs = find_persistence_pairs(graph);
-  report.seconds.emplace_back("pairs", stopwatch.seconds());
+  const std::vector<Persistence_pair> pairs = timed(report, "pairs", [&] { return find_persistence_pairs(graph); });
   std::optional<Graph> copy;
   if(!options.pairs_path.empty())
     write_pairs(options.pairs_path, with_base(graph, options.base, copy), pairs, vertex_numbers);

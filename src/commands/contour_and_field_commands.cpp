@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/costs.h"
 #include "base/surface.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
@@ -91,12 +90,12 @@ void run_field(const Command_options& options)
   Work_report report;
   Mesh mesh = read_mesh(options.input, report);
   const Scalar_map scalar_map = add_field(options.input, mesh, report);
-  const Stopwatch stopwatch;
-  Output_group files;
-  for(const std::string& path : options.output_paths)
-    write_scalars(path, mesh.surface, scalar_map);
-  files.put_in_place();
-  report.add_seconds("output", stopwatch.seconds());
+  timed(report, "output", [&] {
+    Output_group files;
+    for(const std::string& path : options.output_paths)
+      write_scalars(path, mesh.surface, scalar_map);
+    files.put_in_place();
+  });
   const Field_range range(scalar_map.begin(), scalar_map.end());
   write_report(options.is_report_json, outputs, range, report);
 }

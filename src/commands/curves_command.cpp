@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/costs.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
@@ -144,7 +143,7 @@ void write_graph_file(const Curves_options& options, Mesh_graph& graph)
     return write_graph_in_space(options.graph_path, graph.result(), embedding, attributes,
                                 [&](std::ostream& stream) { graph.write_json(stream, embedding, attributes, 0); });
   }
-  write_graph(options.graph_path, graph.result(), field_label(options.input, options.unit), {}, attributes);
+  write_graph(options.graph_path, graph.result(), field_label(options.input, options.unit), own_numbers, attributes);
 }
 
 void write_page_of_curves(const Curves_options& options,
@@ -154,14 +153,13 @@ void write_page_of_curves(const Curves_options& options,
                           const std::optional<Patch_map>& patch_map,
                           Curves_report& report)
 {
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "page");
   Page_request request = {scalar_map, graph, name_of_input(options.input.mesh_path),
                           field_label(options.input, options.unit)};
   request.up = options.up;
   request.patch_map = patch_map;
   request.curves = curves;
   write_page(options.page_path, request);
-  report.add_seconds("page", stopwatch.seconds());
 }
 
 // The page of disks shows the mesh as it was before, as a cut leaves little of its graph.
@@ -182,28 +180,28 @@ void write_files_of_graph(const Curves_options& options,
 {
   if(!is_graph_written(options) && !are_arcs_written(options))
     return;
-  const Stopwatch graph_stopwatch;
   Report unused;
   Graph_options graph_options = options.graph;
   graph_options.are_places_wanted = !options.mesh_path.empty() || !options.page_path.empty()
                                  || (!options.graph_path.empty() && has_arc_attributes(options.graph_path));
-  const auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
-  if(!options.graph_path.empty())
-  {
-    write_graph_file(options, *graph);
-    note_lost_nodes(options.graph_path, graph->result(), report.notes);
-  }
-  if(are_arcs_written(options))
-    write_contours(options.curves_path, contours_of_levels(result, scalar_map, *graph), false);
-  report.add_seconds("graph", graph_stopwatch.seconds());
+  const auto graph = timed(report, "graph", [&] {
+    auto graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, unused);
+    if(!options.graph_path.empty())
+    {
+      write_graph_file(options, *graph);
+      note_lost_nodes(options.graph_path, graph->result(), report.notes);
+    }
+    if(are_arcs_written(options))
+      write_contours(options.curves_path, contours_of_levels(result, scalar_map, *graph), false);
+    return graph;
+  });
   if(!options.mesh_path.empty())
   {
-    const Stopwatch stopwatch;
+    const Timed_step timed(report, "mesh");
     write_mesh(options.mesh_path, mesh.surface,
                {scalar_map, graph->places(), num_vertices(graph->result()), result.patch_map, result.band_map,
                 result.original_map},
                report.notes);
-    report.add_seconds("mesh", stopwatch.seconds());
   }
   if(!options.page_path.empty())
     write_page_of_curves(options, scalar_map, *graph, result.polylines, result.patch_map, report);
@@ -239,7 +237,7 @@ Surface read(Input_options& input, bool is_field_needed, Curves_report& report)
 // Writes the simplified field over the given one.
 void simplify(const Mesh& mesh, Scalar_map scalar_map, const Simplification_options& options, Curves_report& report)
 {
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "simplified field");
   Graph_options graph_options;
   graph_options.are_places_wanted = true;
   Report unused;
@@ -249,7 +247,6 @@ void simplify(const Mesh& mesh, Scalar_map scalar_map, const Simplification_opti
     compute_simplified_field(mesh, scalar_map, *graph, graph_options, options, scalar_map).are_ties_contracted;
   if(report.are_ties_contracted)
     std::cerr << "contracted ties of the simplified field: what is removed has the value of its saddle\n";
-  report.add_seconds("simplified field", stopwatch.seconds());
 }
 
 Cut_result cut(Surface& surface, Scalar_map scalar_map, const Curves_options& options, Curves_report& report)
@@ -323,14 +320,10 @@ void run_curves(Curves_options options)
   const bool is_whole_shown = options.cut.type == Curves_type::DISKS && !options.page_path.empty();
   if(is_whole_shown)
     whole.surface = surface;
-  const Stopwatch cut_stopwatch;
-  const Cut_result result = cut(surface, scalar_map, options, report);
-  report.add_seconds("cut", cut_stopwatch.seconds());
-  const Stopwatch output_stopwatch;
+  const Cut_result result = timed(report, "cut", [&] { return cut(surface, scalar_map, options, report); });
   Output_group files;
-  write_files(options, surface, result, report.notes);
+  timed(report, "output", [&] { write_files(options, surface, result, report.notes); });
   note_lost_maps(options, result, report.notes);
-  report.add_seconds("output", output_stopwatch.seconds());
   if(is_whole_shown)
   {
     write_page_of_disks(options, whole, result, report);

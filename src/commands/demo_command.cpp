@@ -6,7 +6,6 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "base/costs.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
@@ -49,12 +48,12 @@ void run_demo(const Demo_options& options)
     throw Output_error(folder.string() + ": the folder cannot be made: " + error.message());
 
   Report report;
-  const Stopwatch stopwatch;
   Mesh mesh;
-  mesh.surface = generated_surfaces::make_mesh<Surface>(generated_surfaces::standing_figure(number_of_vertices));
   Surface& surface = mesh.surface;
-  const Scalar_map scalar_map = add_height(surface);
-  report.seconds.emplace_back("generate", stopwatch.seconds());
+  const Scalar_map scalar_map = timed(report, "generate", [&] {
+    surface = generated_surfaces::make_mesh<Surface>(generated_surfaces::standing_figure(number_of_vertices));
+    return add_height(surface);
+  });
   Graph_options graph_options;
   graph_options.are_places_wanted = true;
   const auto mesh_graph = compute_mesh_graph(mesh, scalar_map, graph_options, {}, 0, report);
@@ -67,7 +66,7 @@ void run_demo(const Demo_options& options)
   write_coloured_surface(folder / "surface_coloured.ply", surface, scalar_map);
   const Field_label field_label = {"height", "m"};
   for(const char* name : {"graph.svg", "graph.graphml", "graph.dot"})
-    write_graph(folder / name, graph, field_label, {}, mesh_graph->arc_table().attributes());
+    write_graph(folder / name, graph, field_label, own_numbers, mesh_graph->arc_table().attributes());
 
   if(is_page_available())
     write_page(folder / "page.html", {scalar_map, *mesh_graph, "Figure with a hand on its hip", field_label});

@@ -65,12 +65,11 @@ std::vector<std::filesystem::path> check_options(const Handles_options& options)
 
 void remove(const Handles_options& options, Surface& surface, Scalar_map scalar_map, Handles_report& report)
 {
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "removal");
   report.removals = remove_handles(
     surface, scalar_map, properties_to_keep(options.input.mesh_path, options.output_paths, surface, report.notes),
     options.size_to_remove, options.number_to_remove.value_or((std::numeric_limits<std::size_t>::max)()),
     options.are_self_intersections_ignored);
-  report.add_seconds("removal", stopwatch.seconds());
 }
 
 // The page shows the Reeb graph of the field with the loops.
@@ -101,15 +100,13 @@ void run_handles(const Handles_options& options)
   Mesh mesh;
   mesh.surface = read_surface("handles", input, report);
   Surface& surface = mesh.surface;
-  const Stopwatch field_stopwatch;
-  const Scalar_map scalar_map = add_field_or_height(options.input, surface, report);
-  report.add_seconds("field", field_stopwatch.seconds());
+  const Scalar_map scalar_map =
+    timed(report, "field", [&] { return add_field_or_height(options.input, surface, report); });
   if(is_any_removed(options))
     remove(options, surface, scalar_map, report);
-  const Stopwatch stopwatch;
-  const Loops_of_surface loops =
-    find_loops(surface, scalar_map, options.are_loops_shortened, options.are_self_intersections_ignored);
-  report.add_seconds("handles", stopwatch.seconds());
+  const Loops_of_surface loops = timed(report, "handles", [&] {
+    return find_loops(surface, scalar_map, options.are_loops_shortened, options.are_self_intersections_ignored);
+  });
   report.loops = loops.rows;
   if(options.are_self_intersections_ignored)
     report.self_intersections = loops.self_intersections;

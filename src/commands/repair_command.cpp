@@ -134,14 +134,14 @@ void run_repair(const Repair_command_options& options)
   Surface surface = unconnected_surface(soup.points, soup.polygons);
   add_fields(options, result, surface, report);
   report.add_seconds("repair", repair_stopwatch.seconds());
-  const Stopwatch output_stopwatch;
-  Output_group files;
-  for(const std::string& path : options.output_paths)
-    write_surface(path, surface, report.notes);
-  if(!options.map_path.empty())
-    write_numbers(options.map_path, map_of(result.new_vertices));
-  files.put_in_place();
-  report.add_seconds("output", output_stopwatch.seconds());
+  timed(report, "output", [&] {
+    Output_group files;
+    for(const std::string& path : options.output_paths)
+      write_surface(path, surface, report.notes);
+    if(!options.map_path.empty())
+      write_numbers(options.map_path, map_of(result.new_vertices));
+    files.put_in_place();
+  });
   write_report(options.is_report_json, outputs, report);
 }
 

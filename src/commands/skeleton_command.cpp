@@ -69,11 +69,7 @@ void run_skeleton(const Skeleton_command_options& options)
   Surface surface = read_surface("skeleton", input, report);
   std::optional<Scalar_map> scalar_map;
   if(has_field(options.input))
-  {
-    const Stopwatch stopwatch;
-    scalar_map = add_field(input, surface, report);
-    report.add_seconds("field", stopwatch.seconds());
-  }
+    scalar_map = timed(report, "field", [&] { return add_field(input, surface, report); });
   report.field = has_field(options.input) ? field_label(input, "").name : "distance from a tip";
   const Stopwatch stopwatch;
   report.skeleton = extract_skeleton(surface, scalar_map, options.settings);

@@ -240,7 +240,7 @@ Graph_of_ranks compute(const Communicator& communicator,
   Progress_bar progress_bar("graph", is_shown ? &std::cerr : nullptr, 0.5);
   Rank_visitor visitor(report, rank);
   Graph_of_ranks graph;
-  const Timed_computation timed(report);
+  const Timed_step timed(report, "compute");
   const double cpu_seconds = cpu_seconds_of_process();
   const auto place = static_cast<std::ptrdiff_t>(rank.cpu_seconds.size());
   const auto vertices = boost::irange<std::uint64_t>(mesh.first_vertex, mesh.first_vertex + mesh.scalars.size());
@@ -341,11 +341,11 @@ void write_results(const Compute_options& options,
     report.seconds.emplace_back("simplify", simplify_stopwatch.seconds());
     count_simplified(simplified.result(), threshold, report);
   }
-  const Vertex_numbers numbers(given.numbers);
+  const Vertex_numbers numbers([&](Surface::Vertex_index v) { return given.numbers[v]; });
   write_pairs_and_diagram(options, given.graph, threshold, report, numbers);
   if(options.graph_path.empty())
     return;
-  const Stopwatch stopwatch;
+  const Timed_step timed(report, "output");
   if(is_format_in_space(options.graph_path))
   {
     const Embedding embedding = embed_straight(simplified.result(), given.surface);
@@ -360,7 +360,6 @@ void write_results(const Compute_options& options,
       attributes.push_back({"persistence", CGAL::Reeb_graph::arc_persistences(simplified.result())});
     write_graph(options.graph_path, simplified.result(), label(options), numbers, attributes);
   }
-  report.add_seconds("output", stopwatch.seconds());
 }
 
 // Collective.

@@ -26,15 +26,8 @@
 #include <memory>
 #include <string>
 
+namespace reeb_graph_program {
 namespace {
-using reeb_graph_program::add_example;
-using reeb_graph_program::add_list_of_fields;
-using reeb_graph_program::Communicator;
-using reeb_graph_program::Compute_options;
-using reeb_graph_program::coordinate_fields;
-using reeb_graph_program::fields_of_files;
-using reeb_graph_program::height_field;
-
 void add_compute_on_ranks_command(CLI::App& app, Compute_options& options)
 {
   CLI::App* command = add_compute_command(app, options);
@@ -78,9 +71,9 @@ bool is_help_printed(CLI::App& app, int argc, char** argv, const Communicator& c
   }
   catch(const CLI::Success& request_for_help)
   {
-    reeb_graph_program::run_on_rank_0(communicator, [&] {
+    run_on_rank_0(communicator, [&] {
       app.exit(request_for_help);
-      reeb_graph_program::flush_standard_output();
+      flush_standard_output();
     });
     return true;
   }
@@ -89,7 +82,7 @@ bool is_help_printed(CLI::App& app, int argc, char** argv, const Communicator& c
 int run(int argc, char** argv, const Communicator& communicator, const Communicator& meeting)
 {
   CLI::App app("Exact Reeb graphs of scalar fields on surfaces that the ranks of MPI share", "reeb_graph_mpi");
-  app.formatter(std::make_shared<reeb_graph_program::Help_formatter>());
+  app.formatter(std::make_shared<Help_formatter>());
   app.require_subcommand(1);
   app.set_version_flag("--version",
                        "reeb_graph_mpi " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ", " REEB_GRAPH_COMPILER ")");
@@ -103,21 +96,22 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   }
   catch(const CLI::ParseError& error)
   {
-    return end_with_error(communicator, meeting, reeb_graph_program::describe(app, error));
+    return end_with_error(communicator, meeting, describe(app, error));
   }
   catch(const std::exception& error)
   {
-    return end_with_error(communicator, meeting, reeb_graph_program::message_of(error));
+    return end_with_error(communicator, meeting, message_of(error));
   }
 }
 
 } // namespace
+} // namespace reeb_graph_program
 
 int main(int argc, char** argv)
 {
   std::signal(SIGXFSZ, SIG_IGN); // A file that may not grow is an error, as a full disk is.
   const boost::mpi::environment environment(argc, argv);
-  const Communicator communicator;
-  const Communicator meeting(communicator, boost::mpi::comm_duplicate);
-  return run(argc, argv, communicator, meeting);
+  const reeb_graph_program::Communicator communicator;
+  const reeb_graph_program::Communicator meeting(communicator, boost::mpi::comm_duplicate);
+  return reeb_graph_program::run(argc, argv, communicator, meeting);
 }

@@ -102,22 +102,20 @@ void write_graph_in_space(const fs::path& path,
                           const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes,
                           const std::function<void(std::ostream&)>& write_json)
 {
-  const Vertex_numbers vertex_numbers;
   const auto attributes = CGAL::parameters::arc_attributes(arc_attributes);
   const std::string ending = format_of(path).ending;
   if(ending == ".csv")
   {
     Output_group tables;
-    write_file(table_path(path, "nodes"), [&](std::ostream& stream) {
-      CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, vertex_numbers);
-    });
+    write_file(table_path(path, "nodes"),
+               [&](std::ostream& stream) { CGAL::Reeb_graph::write_nodes_csv(stream, graph, embedding, own_numbers); });
     write_file(table_path(path, "arcs"),
                [&](std::ostream& stream) { CGAL::Reeb_graph::write_arcs_csv(stream, graph, embedding, attributes); });
     return tables.put_in_place();
   }
   write_file(path, [&](std::ostream& stream) {
     if(ending == ".vtp")
-      CGAL::Reeb_graph::write_vtp(stream, graph, embedding, vertex_numbers, attributes);
+      CGAL::Reeb_graph::write_vtp(stream, graph, embedding, own_numbers, attributes);
     else if(ending == ".obj")
       CGAL::Reeb_graph::write_obj(stream, graph, embedding);
     else if(ending == ".json")

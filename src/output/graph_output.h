@@ -40,7 +40,7 @@ std::vector<std::filesystem::path> graph_files(const std::filesystem::path& path
 void write_graph(const std::filesystem::path& path,
                  const Graph& graph,
                  const Field_label& field_label,
-                 const Vertex_numbers& vertex_numbers = {},
+                 const Vertex_numbers& vertex_numbers = own_numbers,
                  const std::vector<CGAL::Reeb_graph::Attribute>& arc_attributes = {});
 
 // Writes a graph in a format in space. `write_json` writes it with its chains, and is called for that format only.
@@ -71,7 +71,7 @@ void check_pairs_format(const std::filesystem::path& path);
 void write_pairs(const std::filesystem::path& path,
                  const Graph& graph,
                  const std::vector<Persistence_pair>& pairs,
-                 const Vertex_numbers& vertex_numbers = {});
+                 const Vertex_numbers& vertex_numbers = own_numbers);
 
 // Throws an exception unless the file name ends in .svg.
 void check_diagram_format(const std::filesystem::path& path);

@@ -114,11 +114,12 @@ Vertex_color_map add_vertex_colours(Surface& surface, Scalar_map scalar_map)
   return colour_map;
 }
 
-Face_color_map add_face_colours(Surface& surface, Patch_map patch_map)
+template <class Patches>
+Face_color_map add_face_colours(Surface& surface, const Patches& patches)
 {
   Face_color_map colour_map = surface.add_property_map<Surface::Face_index, CGAL::IO::Color>("f:color").first;
   for(const Surface::Face_index f : surface.faces())
-    colour_map[f] = colour_of_patch(patch_map[f]);
+    colour_map[f] = colour_of_patch(patches[f]);
   return colour_map;
 }
 
@@ -130,46 +131,20 @@ void write_binary_ply(const std::filesystem::path& path, const Surface& surface)
   });
 }
 
-// The results for the vertices and faces of a mesh, in their order.
-struct Mesh_columns
+// Adds a property map to the surface. Returns its numbers, under the name behind v: or f:.
+template <class Range, class NumberOf>
+CGAL::Reeb_graph::Attribute add_column(Surface& surface,
+                                       const Range& range,
+                                       const std::string& name,
+                                       NumberOf number_of)
 {
-  Mesh_columns(const Surface& surface, const Mesh_results& results)
-  {
-    for(const Surface::Vertex_index v : surface.vertices())
-    {
-      const std::size_t place = results.places[v.idx()];
-      const bool is_node = place < results.number_of_nodes;
-      values.push_back(results.scalar_map[v]);
-      arcs.push_back(is_node ? -1 : static_cast<int>(place - results.number_of_nodes));
-      nodes.push_back(is_node ? static_cast<int>(place) : -1);
-      if(results.original_map)
-        originals.push_back((*results.original_map)[v]);
-    }
-    for(const Surface::Face_index f : surface.faces())
-    {
-      if(results.patch_map)
-        patches.push_back((*results.patch_map)[f]);
-      if(results.band_map)
-        bands.push_back((*results.band_map)[f]);
-    }
-  }
-
-  std::vector<double> values;
-  std::vector<int> arcs, nodes, patches;
-  std::vector<int> originals, bands; // of a mesh that has them
-};
-
-template <class Key, class Range, class Number>
-Surface::Property_map<Key, Number> add_column(Surface& surface,
-                                              const Range& range,
-                                              const std::string& name,
-                                              const std::vector<Number>& numbers)
-{
-  auto map = surface.add_property_map<Key, Number>(name).first;
-  std::size_t i = 0;
+  typedef std::decay_t<decltype(*range.begin())> Key;
+  typedef std::decay_t<decltype(number_of(Key()))> Number;
+  const auto map = surface.add_property_map<Key, Number>(name).first;
+  std::vector<std::conditional_t<std::is_same_v<Number, double>, double, std::int64_t>> numbers;
   for(const Key key : range)
-    map[key] = numbers[i++];
-  return map;
+    numbers.push_back(map[key] = number_of(key));
+  return {name.substr(2), std::move(numbers)};
 }
 
 template <class Vertices>
@@ -196,11 +171,6 @@ Surface unconnected_surface(const Mesh& mesh)
   for(const auto& triangle : mesh.complex->triangles)
     add_unconnected_face(triangle, surface);
   return surface;
-}
-
-CGAL::Reeb_graph::Attribute attribute(const std::string& name, const std::vector<int>& numbers)
-{
-  return {name, std::vector<std::int64_t>(numbers.begin(), numbers.end())};
 }
 
 const std::vector<std::string> formats_of_meshes = {".off", ".ply", ".obj", ".stl", ".vtp"};
@@ -364,15 +334,30 @@ void check_numbers_format(const std::filesystem::path& path)
 void write_mesh(const std::filesystem::path& path, const Surface& surface, const Mesh_results& results, Notes& notes)
 {
   namespace parameters = CGAL::parameters;
-  const Mesh_columns columns(surface, results);
   Surface mesh = surface;
   mesh.remove_all_property_maps(); // Some may have the names of the results.
-  const Scalar_map scalar_map = add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:scalar", columns.values);
-  const Vertex_color_map vertex_colours = add_vertex_colours(mesh, scalar_map);
+  const auto place = [&, number = static_cast<int>(results.number_of_nodes)](Surface::Vertex_index v) {
+    return static_cast<int>(results.places[v.idx()]) - number; // negative at nodes
+  };
+  const auto add = [&](auto& attributes, const auto& range, const std::string& name, const auto& number_of) {
+    attributes.push_back(add_column(mesh, range, name, number_of));
+  };
+  const auto add_map = [&](auto& attributes, const auto& range, const std::string& name, const auto& map) {
+    if(map)
+      add(attributes, range, name, [&](auto key) { return static_cast<int>((*map)[key]); });
+  };
+  std::vector<CGAL::Reeb_graph::Attribute> vertex_attributes, face_attributes;
+  add(vertex_attributes, mesh.vertices(), "v:scalar", [&](auto v) { return results.scalar_map[v]; });
+  const Vertex_color_map vertex_colours = add_vertex_colours(mesh, results.scalar_map);
+  add(vertex_attributes, mesh.vertices(), "v:arc", [&](auto v) { return std::max(place(v), -1); });
+  add(vertex_attributes, mesh.vertices(), "v:node",
+      [&](auto v) { return place(v) < 0 ? static_cast<int>(results.places[v.idx()]) : -1; });
+  add_map(vertex_attributes, mesh.vertices(), "v:original", results.original_map);
+  add_map(face_attributes, mesh.faces(), "f:patch", results.patch_map);
   Face_color_map face_colours;
   if(results.patch_map)
-    face_colours =
-      add_face_colours(mesh, add_column<Surface::Face_index>(mesh, mesh.faces(), "f:patch", columns.patches));
+    face_colours = add_face_colours(mesh, *results.patch_map);
+  add_map(face_attributes, mesh.faces(), "f:band", results.band_map);
   // of a pipe, a device, or standard output the first one
   const std::string format = ending_of(path, "a mesh with results", {".ply", ".vtp", ".off", ".obj", ".stl"});
   if(format == ".off" || format == ".obj" || format == ".stl")
@@ -381,22 +366,8 @@ void write_mesh(const std::filesystem::path& path, const Surface& surface, const
     return write_surface(path, mesh, notes);
   }
   if(format == ".ply")
-  {
-    add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:arc", columns.arcs);
-    add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:node", columns.nodes);
-    if(results.original_map)
-      add_column<Surface::Vertex_index>(mesh, mesh.vertices(), "v:original", columns.originals);
-    if(results.band_map)
-      add_column<Surface::Face_index>(mesh, mesh.faces(), "f:band", columns.bands);
     return write_binary_ply(path, mesh);
-  }
-  std::vector<CGAL::Reeb_graph::Attribute> vertex_attributes = {
-    {"value", columns.values}, attribute("arc", columns.arcs), attribute("node", columns.nodes)};
-  if(results.original_map)
-    vertex_attributes.push_back(attribute("original", columns.originals));
-  std::vector<CGAL::Reeb_graph::Attribute> face_attributes = {attribute("patch", columns.patches)};
-  if(results.band_map)
-    face_attributes.push_back(attribute("band", columns.bands));
+  vertex_attributes.front().name = "value";
   const auto np = parameters::vertex_attributes(vertex_attributes);
   write_file(path, [&](std::ostream& stream) {
     if(results.patch_map)
@@ -436,12 +407,12 @@ void write_surface_with_numbers(const std::filesystem::path& path,
   surface.remove_all_property_maps();
   std::vector<CGAL::Reeb_graph::Attribute> attributes;
   Face_color_map face_colours;
-  for(const auto& [name, numbers] : columns)
+  for(const Face_numbers& column : columns)
   {
-    const auto map = add_column<Surface::Face_index>(surface, surface.faces(), "f:" + name, numbers);
-    if(attributes.empty())
-      face_colours = add_face_colours(surface, map);
-    attributes.push_back(attribute(name, numbers));
+    attributes.push_back(add_column(surface, surface.faces(), "f:" + column.first,
+                                    [&](Surface::Face_index f) { return column.second[f]; }));
+    if(attributes.size() == 1)
+      face_colours = add_face_colours(surface, column.second);
   }
   if(is_ply)
     return write_binary_ply(path, surface);
@@ -508,11 +479,12 @@ void write_surface_with_patches(const std::filesystem::path& path, Surface surfa
   const Face_color_map face_colours = add_face_colours(surface, patch_map);
   if(format == ".ply")
     return write_binary_ply(path, surface);
-  const std::vector<int> patches(patch_map.begin(), patch_map.end());
+  const std::vector<CGAL::Reeb_graph::Attribute> patches = {
+    {"patch", std::vector<std::int64_t>(patch_map.begin(), patch_map.end())}};
   write_file(path, [&](std::ostream& stream) {
     CGAL::Reeb_graph::write_mesh_vtp(stream, surface,
                                      CGAL::parameters::vertex_attributes(vertex_attributes(surface))
-                                       .face_attributes({attribute("patch", patches)})
+                                       .face_attributes(patches)
                                        .face_color_map(face_colours));
   });
 }

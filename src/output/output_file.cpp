@@ -10,6 +10,10 @@
 
 #include "base/progress_bar.h"
 
+#include <boost/core/noncopyable.hpp>
+#include <boost/iostreams/categories.hpp>
+#include <boost/iostreams/stream.hpp>
+
 #include <sys/stat.h>
 
 #include <fcntl.h>
@@ -21,88 +25,55 @@
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
+#include <ios>
 #include <iostream>
 #include <list>
 #include <mutex>
 #include <optional>
 #include <random>
 #include <stdexcept>
-#include <streambuf>
 #include <string>
 #include <system_error>
 
 namespace reeb_graph_program {
-// The buffer of a stream that writes to a file descriptor, and owns it. Other than that of the standard library, it tells
-// why it has failed.
-class File_buffer : public std::streambuf
-{
-public:
-  explicit File_buffer(int file) : file_(file) { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
-  ~File_buffer() override { close(); }
-  File_buffer(const File_buffer&) = delete;
-  File_buffer& operator=(const File_buffer&) = delete;
-
-  // Writes what is left, and closes the file. Returns the number of the first error since the begin, 0 if there is none.
-  int close()
-  {
-    if(file_ < 0)
-      return error_;
-    write_buffered();
-    if(::close(file_) != 0 && error_ == 0)
-      error_ = errno;
-    file_ = -1;
-    return error_;
-  }
-
-protected:
-  int_type overflow(int_type c) override
-  {
-    if(!write_buffered())
-      return traits_type::eof();
-    if(!traits_type::eq_int_type(c, traits_type::eof()))
-      sputc(traits_type::to_char_type(c));
-    return traits_type::not_eof(c);
-  }
-
-  std::streamsize xsputn(const char* text, std::streamsize size) override
-  {
-    if(size < epptr() - pptr())
-      return std::streambuf::xsputn(text, size);
-    return write_buffered() && write_all(text, size) ? size : 0;
-  }
-
-  int sync() override { return write_buffered() ? 0 : -1; }
-
-private:
-  bool write_buffered()
-  {
-    const std::ptrdiff_t size = pptr() - pbase();
-    setp(buffer_.data(), buffer_.data() + buffer_.size());
-    return write_all(buffer_.data(), size);
-  }
-
-  bool write_all(const char* text, std::ptrdiff_t size)
-  {
-    while(error_ == 0 && size > 0)
-    {
-      const ::ssize_t written = ::write(file_, text, static_cast<std::size_t>(size));
-      if(written < 0 && errno != EINTR)
-        error_ = errno;
-      if(written > 0)
-      {
-        text += written;
-        size -= written;
-      }
-    }
-    return error_ == 0;
-  }
-
-  int file_, error_ = 0;
-  std::array<char, 1 << 16> buffer_;
-};
-
 namespace {
 namespace fs = std::filesystem;
+
+// A file descriptor, which is closed in the end, for a stream. It keeps the first error, and writes nothing behind it: streams
+// of the standard library do not tell why they have failed.
+struct File_sink
+{
+  typedef char char_type;
+  struct category : boost::iostreams::sink_tag, boost::iostreams::closable_tag
+  {
+  };
+
+  std::streamsize write(const char* text, std::streamsize size) const
+  {
+    for(std::streamsize done = 0; done < size;)
+    {
+      check(*error == 0);
+      const ::ssize_t written = ::write(file, text + done, static_cast<std::size_t>(size - done));
+      check(written >= 0 || errno == EINTR);
+      done += std::max<::ssize_t>(written, 0);
+    }
+    return size;
+  }
+
+  void close() const { check(::close(file) == 0); }
+
+  void check(bool is_right) const
+  {
+    if(is_right)
+      return;
+    *error = *error == 0 ? errno : *error;
+    throw std::ios_base::failure("the file cannot be written");
+  }
+
+  int file;
+  int* error;
+};
+
 // The files to be removed when a signal ends the program; more than any command writes.
 std::array<std::atomic<const char*>, 64> partial_files = {};
 
@@ -118,7 +89,7 @@ void remove_partial_files(int signal)
 
 // Lets the signals that users and limits end a program by remove the files, except those that are ignored, as long as
 // there is one of any thread.
-class Interrupt_guard
+class Interrupt_guard : boost::noncopyable
 {
 public:
   Interrupt_guard()
@@ -141,8 +112,6 @@ public:
     for(std::size_t i = 0; i != signals.size(); ++i)
       sigaction(signals[i], &old_actions[i], nullptr);
   }
-  Interrupt_guard(const Interrupt_guard&) = delete;
-  Interrupt_guard& operator=(const Interrupt_guard&) = delete;
 
 private:
   static constexpr std::array<int, 5> signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU};
@@ -220,7 +189,7 @@ struct Place
 
 // The file beside the target, which is removed in the end, whether it is there or not, also if the program is
 // interrupted.
-class Partial_file
+class Partial_file : boost::noncopyable
 {
 public:
   explicit Partial_file(const fs::path& path) : place(path)
@@ -240,8 +209,6 @@ public:
     if(slot_ != nullptr)
       *slot_ = nullptr;
   }
-  Partial_file(const Partial_file&) = delete;
-  Partial_file& operator=(const Partial_file&) = delete;
 
 private:
   const Interrupt_guard guard_;
@@ -279,14 +246,17 @@ int open_output(const Place& place)
 
 void write_stream(const Place& place, const std::function<void(std::ostream&)>& write)
 {
+  int error = 0;
   const int file = open_output(place);
   if(file < 0)
     throw output_error(place.path, errno);
-  File_buffer buffer(file);
-  std::ostream stream(&buffer);
-  write(stream);
-  const int error = buffer.close();
-  if(!stream || error != 0)
+  bool is_written = false;
+  {
+    boost::iostreams::stream<File_sink> stream(File_sink{file, &error}, 1 << 16);
+    write(stream);
+    is_written = !stream.fail();
+  }
+  if(!is_written || error != 0)
     throw output_error(place.path, error);
 }
 
@@ -389,18 +359,6 @@ void Output_group::put_in_place()
   for(const Partial_file& file : files_->list)
     reeb_graph_program::put_in_place(file.place);
   files_->list.clear();
-}
-
-void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write)
-{
-  Output_group group;
-  const Place& place = files_of_thread->list.emplace_back(path).place;
-  if(place.is_at_once)
-    throw std::runtime_error(path.string() + ": this is written at several places at once, which need a file");
-  write_stream(place, [](std::ostream&) {});
-  const Progress_bar progress_bar("writing");
-  write(place.temporary_path);
-  group.put_in_place();
 }
 
 void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write)

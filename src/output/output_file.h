@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_OUTPUT_FILE_H
 #define CGAL_REEB_GRAPH_SRC_OUTPUT_FILE_H
 
+#include <boost/core/noncopyable.hpp>
 #include <boost/endian/conversion.hpp>
 
 #include <cstdint>
@@ -48,13 +49,11 @@ void flush_standard_output();
 // Files that belong together: what this thread writes while such an object lives stays beside its place. None is there
 // before put_in_place(), nor after an exception before it. A group within another one is a part of that. What is written
 // at once, as standard output, does not wait.
-class Output_group
+class Output_group : boost::noncopyable
 {
 public:
   Output_group();
   ~Output_group();
-  Output_group(const Output_group&) = delete;
-  Output_group& operator=(const Output_group&) = delete;
 
   void put_in_place();
 
@@ -64,11 +63,8 @@ private:
   std::unique_ptr<Files> files_; // none within another group
 };
 
-// Calls `write` with the name of a temporary file in the same folder and renames that file to `path` afterwards: the
-// file is complete or as it was before, and keeps its mode. Throws std::runtime_error, and what `write` throws.
-void replace_file(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
-
-// The same with a stream, whose failure is an error.
+// Calls `write` with a stream to a temporary file in the same folder, and renames that file to `path` afterwards: the file is
+// complete or as it was before, and keeps its mode. Throws std::runtime_error, and what `write` throws.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 inline bool is_npy(const std::filesystem::path& path) { return path.extension() == ".npy"; }

@@ -16,10 +16,12 @@
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -102,20 +104,22 @@ void visit_points(const Contour_line& line, std::size_t first, const Visit& visi
     visit(first + i % number_of_points(line));
 }
 
-void write_obj(std::ostream& stream, const std::vector<Contour_line>& lines)
+// write_heading(number of a line) writes what is before it.
+template <class WriteHeading>
+void write_obj(std::ostream& stream, const std::vector<Contour_line>& lines, const WriteHeading& write_heading)
 {
+  const CGAL::Reeb_graph::internal::Classic_locale classic_locale(stream);
   stream.precision(all_digits);
   std::size_t first = 1;
-  for(const Contour_line& line : lines)
+  for(std::size_t i = 0; i < lines.size(); ++i)
   {
-    for(std::size_t i = 0; i < number_of_points(line); ++i)
-      stream << "v " << line.points[i] << '\n';
-    stream << "# arc " << line.arc << " value " << line.value << " length " << line.length << " closed "
-           << line.is_closed << "\ng arc_" << line.arc << '\n'
-           << (line.points.size() > 1 ? 'l' : 'p');
-    visit_points(line, first, [&](std::size_t point) { stream << ' ' << point; });
+    for(std::size_t k = 0; k < number_of_points(lines[i]); ++k)
+      stream << "v " << lines[i].points[k] << '\n';
+    write_heading(i);
+    stream << '\n' << (lines[i].points.size() > 1 ? 'l' : 'p');
+    visit_points(lines[i], first, [&](std::size_t point) { stream << ' ' << point; });
     stream << '\n';
-    first += number_of_points(line);
+    first += number_of_points(lines[i]);
   }
 }
 
@@ -148,36 +152,41 @@ void write_csv(std::ostream& stream, const std::vector<Contour_line>& lines)
   text.flush();
 }
 
-// A line of one point, of an edge without triangles, is a vertex for VTK, whose cells come before all lines.
-void write_vtp(std::ostream& stream, const std::vector<Contour_line>& lines)
+using CGAL::Reeb_graph::internal::Vtp_document;
+
+// A line of one point, of an edge without triangles, is a vertex for VTK, and has to come before all others.
+template <class WriteColumns>
+void write_vtp(std::ostream& stream,
+               const std::vector<Contour_line>& lines,
+               const std::string& active_column,
+               const WriteColumns& write_columns)
 {
-  CGAL::Reeb_graph::internal::Vtp_document::Cells vertex_cells, line_cells;
-  std::vector<double> coordinates, values, lengths;
-  std::vector<std::int64_t> arcs, closed;
-  for(const bool has_lines : {false, true})
-    for(const Contour_line& line : lines)
-    {
-      if((line.points.size() > 1) != has_lines)
-        continue;
-      auto& cells = has_lines ? line_cells : vertex_cells;
-      visit_points(line, coordinates.size() / 3, [&](std::size_t point) { cells.add_point(point); });
-      cells.end_cell();
-      for(std::size_t i = 0; i < number_of_points(line); ++i)
-        CGAL::Reeb_graph::internal::add_coordinates(line.points[i], coordinates);
-      arcs.push_back(line.arc);
-      values.push_back(line.value);
-      lengths.push_back(line.length);
-      closed.push_back(line.is_closed ? 1 : 0);
-    }
-  CGAL::Reeb_graph::internal::Vtp_document document(stream, coordinates.size() / 3, vertex_cells, line_cells, {});
+  Vtp_document::Cells vertex_cells, line_cells;
+  std::vector<double> coordinates;
+  for(const Contour_line& line : lines)
+  {
+    Vtp_document::Cells& cells = line.points.size() > 1 ? line_cells : vertex_cells;
+    visit_points(line, coordinates.size() / 3, [&](std::size_t point) { cells.add_point(point); });
+    cells.end_cell();
+    for(std::size_t i = 0; i < number_of_points(line); ++i)
+      CGAL::Reeb_graph::internal::add_coordinates(line.points[i], coordinates);
+  }
+  Vtp_document document(stream, coordinates.size() / 3, vertex_cells, line_cells, {});
   document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });
-  document.write_section("CellData", "value", [&] {
-    document.write_array("arc", arcs);
-    document.write_array("value", values);
-    document.write_array("length", lengths);
-    document.write_array("closed", closed);
-  });
+  document.write_section("CellData", active_column, [&] { write_columns(document); });
   document.finish();
+}
+
+// Writes a number of each row.
+template <class Row, class NumberOf>
+void write_column(Vtp_document& document,
+                  const std::string& name,
+                  const std::vector<Row>& rows,
+                  const NumberOf& number_of)
+{
+  std::vector<decltype(number_of(rows[0]))> numbers;
+  std::transform(rows.begin(), rows.end(), std::back_inserter(numbers), number_of);
+  document.write_array(name, numbers);
 }
 
 std::vector<Polyline> polylines_of(const std::vector<Contour_line>& lines)
@@ -208,12 +217,24 @@ void write_contours(const std::string& path, const std::vector<Contour>& contour
   write_file(path, [&](std::ostream& stream) {
     if(are_contours_surfaces)
       return write_off(stream, contours);
-    const std::vector<Contour_line> lines = lines_of(contours);
+    std::vector<Contour_line> lines = lines_of(contours);
     const std::string ending = ending_of(path, "contours", {".polylines.txt", ".vtp", ".obj", ".json", ".csv"});
     if(ending == ".vtp")
-      write_vtp(stream, lines);
+    {
+      typedef Contour_line Line;
+      std::stable_partition(lines.begin(), lines.end(), [](const Line& line) { return line.points.size() == 1; });
+      write_vtp(stream, lines, "value", [&](Vtp_document& document) {
+        write_column(document, "arc", lines, [](const Line& line) { return line.arc; });
+        write_column(document, "value", lines, [](const Line& line) { return line.value; });
+        write_column(document, "length", lines, [](const Line& line) { return line.length; });
+        write_column(document, "closed", lines, [](const Line& line) { return std::int64_t{line.is_closed}; });
+      });
+    }
     else if(ending == ".obj")
-      write_obj(stream, lines);
+      write_obj(stream, lines, [&](std::size_t i) {
+        stream << "# arc " << lines[i].arc << " value " << lines[i].value << " length " << lines[i].length << " closed "
+               << lines[i].is_closed << "\ng arc_" << lines[i].arc;
+      });
     else if(ending == ".json")
       write_json(stream, lines);
     else if(ending == ".csv")
@@ -229,69 +250,36 @@ std::string format_of_loops(const std::filesystem::path& path, const std::string
   return ending_of(path, contents, {".vtp", ".obj", ".polylines.txt"});
 }
 
-// Each loop is a line; its first point is not repeated.
-void write_vtp_of_loops(std::ostream& out, const Loops_of_surface& loops)
+void write_vtp_of_loops(std::ostream& out, const std::vector<Contour_line>& lines, const std::vector<Loop_row>& rows)
 {
-  CGAL::Reeb_graph::internal::Vtp_document::Cells lines;
-  std::vector<double> coordinates, lengths, persistences, areas, centers, lower_corners, upper_corners;
-  std::vector<std::int64_t> numbers, kinds, partners, components;
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  for(std::size_t i = 0; i != loops.rows.size(); ++i)
-  {
-    const Loop_row& row = loops.rows[i];
-    const std::size_t first = coordinates.size() / 3;
-    for(std::size_t k = 0; k + 1 < loops.polylines[i].size(); ++k)
-    {
-      lines.add_point(coordinates.size() / 3);
-      CGAL::Reeb_graph::internal::add_coordinates(loops.polylines[i][k], coordinates);
-    }
-    lines.add_point(first);
-    lines.end_cell();
-    numbers.push_back(static_cast<std::int64_t>(i));
-    kinds.push_back(row.kind == "handle" ? 0 : row.kind == "tunnel" ? 1 : row.kind == "hole" ? 2 : 3);
-    partners.push_back(row.partner ? static_cast<std::int64_t>(*row.partner) : -1);
-    components.push_back(static_cast<std::int64_t>(row.component));
-    lengths.push_back(row.length);
-    persistences.push_back(row.persistence.value_or(none));
-    areas.push_back(row.area.value_or(none));
-    centers.insert(centers.end(), row.place.center.begin(), row.place.center.end());
-    lower_corners.insert(lower_corners.end(), row.place.box[0].begin(), row.place.box[0].end());
-    upper_corners.insert(upper_corners.end(), row.place.box[1].begin(), row.place.box[1].end());
-  }
-  CGAL::Reeb_graph::internal::Vtp_document document(out, coordinates.size() / 3, {}, lines, {});
-  document.write_section("Points", "", [&] { document.write_array("Points", coordinates, 3); });
-  document.write_section("CellData", "kind", [&] {
-    document.write_array("loop", numbers);
-    document.write_array("kind", kinds);
-    document.write_array("partner", partners);
-    document.write_array("component", components);
-    document.write_array("length", lengths);
-    document.write_array("persistence", persistences);
-    document.write_array("area", areas);
-    document.write_array("center", centers, 3);
-    document.write_array("box_min", lower_corners, 3);
-    document.write_array("box_max", upper_corners, 3);
+  write_vtp(out, lines, "kind", [&](Vtp_document& document) {
+    typedef Loop_row Row;
+    const auto write = [&](const std::string& name, const auto& number_of) {
+      write_column(document, name, rows, number_of);
+    };
+    const auto write_points = [&](const std::string& name, const auto& point_of) {
+      std::vector<double> coordinates;
+      for(const Row& row : rows)
+        coordinates.insert(coordinates.end(), point_of(row).begin(), point_of(row).end());
+      document.write_array(name, coordinates, 3);
+    };
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    write("loop", [&, i = rows.data()](const Row& row) { return static_cast<std::int64_t>(&row - i); });
+    write("kind", [](const Row& row) {
+      return std::int64_t{row.kind == "handle" ? 0 : row.kind == "tunnel" ? 1 : row.kind == "hole" ? 2 : 3};
+    });
+    write("partner", [](const Row& row) { return row.partner ? static_cast<std::int64_t>(*row.partner) : -1; });
+    write("component", [](const Row& row) { return static_cast<std::int64_t>(row.component); });
+    write("length", [](const Row& row) { return row.length; });
+    write("persistence", [&](const Row& row) { return row.persistence.value_or(none); });
+    write("area", [&](const Row& row) { return row.area.value_or(none); });
+    write_points(
+      "center", [](const Row& row) -> const auto& { return row.place.center; });
+    write_points(
+      "box_min", [](const Row& row) -> const auto& { return row.place.box[0]; });
+    write_points(
+      "box_max", [](const Row& row) -> const auto& { return row.place.box[1]; });
   });
-  document.finish();
-}
-
-// Each loop is a line in a group of its own, whose name has its kind.
-void write_obj_of_loops(std::ostream& out, const Loops_of_surface& loops)
-{
-  const CGAL::Reeb_graph::internal::Classic_locale classic_locale(out);
-  out.precision(std::numeric_limits<double>::max_digits10);
-  std::size_t first = 1;
-  for(std::size_t i = 0; i != loops.rows.size(); ++i)
-  {
-    const std::size_t size = loops.polylines[i].size() - 1;
-    for(std::size_t k = 0; k != size; ++k)
-      out << "v " << loops.polylines[i][k] << '\n';
-    out << "g " << loops.rows[i].kind << '_' << i << "\nl";
-    for(std::size_t k = 0; k != size; ++k)
-      out << ' ' << first + k;
-    out << ' ' << first << '\n';
-    first += size;
-  }
 }
 
 } // namespace
@@ -308,10 +296,13 @@ void write_loops(const std::filesystem::path& path, const Loops_of_surface& loop
     write_polylines(path.string(), loops.polylines);
   else
     write_file(path, [&](std::ostream& stream) {
+      std::vector<Contour_line> lines;
+      for(const Polyline& polyline : loops.polylines)
+        lines.push_back({polyline, 0, 0, 0, true});
       if(format == ".vtp")
-        write_vtp_of_loops(stream, loops);
-      else
-        write_obj_of_loops(stream, loops);
+        write_vtp_of_loops(stream, lines, loops.rows);
+      else // each in a group of its own, whose name has its kind
+        write_obj(stream, lines, [&](std::size_t i) { stream << "g " << loops.rows[i].kind << '_' << i; });
     });
 }
 

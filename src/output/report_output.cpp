@@ -19,6 +19,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -144,6 +145,12 @@ void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report
   json["peak_memory_bytes"] = peak_memory_bytes();
 }
 
+void write_with_costs(std::ostream& out, nlohmann::ordered_json json, const Work_report& report)
+{
+  add_field_and_costs(json, report);
+  write_line(out, json);
+}
+
 void write_input_text(std::ostream& out, const Work_report& report)
 {
   if(report.input)
@@ -182,10 +189,8 @@ void write_text(std::ostream& out, const Field_range& range, const Work_report& 
 
 void write_json(std::ostream& out, const Field_range& range, const Work_report& report)
 {
-  nlohmann::ordered_json json = {
-    {"values", range.number_of_values}, {"lowest", range.lowest}, {"highest", range.highest}};
-  add_field_and_costs(json, report);
-  write_line(out, json);
+  write_with_costs(out, {{"values", range.number_of_values}, {"lowest", range.lowest}, {"highest", range.highest}},
+                   report);
 }
 
 void write_text(std::ostream& out, const Contours_report& report)
@@ -197,9 +202,7 @@ void write_text(std::ostream& out, const Contours_report& report)
 
 void write_json(std::ostream& out, const Contours_report& report)
 {
-  nlohmann::ordered_json json = {{"contours", report.contours}};
-  add_field_and_costs(json, report);
-  write_line(out, json);
+  write_with_costs(out, {{"contours", report.contours}}, report);
 }
 
 void write_text(std::ostream& out, const Curves_report& report)
@@ -232,8 +235,7 @@ void write_json(std::ostream& out, const Curves_report& report)
     json["levels"] = report.levels->number_of_levels;
     json["slivers"] = report.levels->number_of_slivers;
   }
-  add_field_and_costs(json, report);
-  write_line(out, json);
+  write_with_costs(out, std::move(json), report);
 }
 
 void write_border_changes(std::ostream& out, const CGAL::Reeb_graph::Border_level_changes& changes)
@@ -355,8 +357,7 @@ void write_json(std::ostream& out, const Handles_report& report)
       json["removals"].push_back(removal);
     }
   }
-  add_field_and_costs(json, report);
-  write_line(out, json);
+  write_with_costs(out, std::move(json), report);
 }
 
 namespace {
@@ -392,20 +393,16 @@ void write_mesh_counts(std::ostream& out, const std::string& title, const Soup_c
 
 nlohmann::ordered_json json_of(const Soup_counts& counts)
 {
-  nlohmann::ordered_json json;
-  json["vertices"] = counts.vertices;
-  json["edges"] = counts.edges;
-  json["faces"] = counts.faces;
-  json["components"] = counts.components;
-  json["border_loops"] = counts.border_loops;
-  json["euler_characteristic"] = counts.euler_characteristic();
-  json["genus"] = nullptr;
-  if(const auto genus = genus_of(counts))
-    json["genus"] = *genus;
-  json["edges_of_many_faces"] = counts.edges_of_many_faces;
-  json["vertices_of_several_fans"] = counts.vertices_of_several_fans;
-  json["edges_without_orientation"] = counts.edges_without_orientation;
-  return json;
+  return {{"vertices", counts.vertices},
+          {"edges", counts.edges},
+          {"faces", counts.faces},
+          {"components", counts.components},
+          {"border_loops", counts.border_loops},
+          {"euler_characteristic", counts.euler_characteristic()},
+          {"genus", genus_of(counts)},
+          {"edges_of_many_faces", counts.edges_of_many_faces},
+          {"vertices_of_several_fans", counts.vertices_of_several_fans},
+          {"edges_without_orientation", counts.edges_without_orientation}};
 }
 
 // The numbers of a repair: their names in JSON, and what is said where one is not 0, for one and for several.
@@ -489,10 +486,8 @@ void write_text(std::ostream& out, const Repair_report& report)
 void write_json(std::ostream& out, const Repair_report& report)
 {
   const Repair_counts& counts = report.counts;
-  nlohmann::ordered_json json;
-  json["given"] = json_of(counts.given);
-  json["merged"] = json_of(counts.merged);
-  json["result"] = json_of(counts.result);
+  nlohmann::ordered_json json = {
+    {"given", json_of(counts.given)}, {"merged", json_of(counts.merged)}, {"result", json_of(counts.result)}};
   add_steps(json, counts);
   json["lines_left_out"] = report.lines_left_out;
   json["fields"] = nlohmann::ordered_json::array();
@@ -501,8 +496,7 @@ void write_json(std::ostream& out, const Repair_report& report)
                               {"differing_points", field.differing_points},
                               {"largest_difference", field.largest_difference}});
   json["lost_fields"] = report.lost_fields;
-  add_field_and_costs(json, report);
-  write_line(out, json);
+  write_with_costs(out, std::move(json), report);
 }
 
 } // namespace reeb_graph_program

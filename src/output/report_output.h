@@ -126,7 +126,9 @@ void write_line(std::ostream& out, const nlohmann::ordered_json& json);
 void write_steps(std::ostream& out, const Repair_counts& counts);
 void add_steps(nlohmann::ordered_json& json, const Repair_counts& counts);
 
+// Adds what the reports of all commands have in common, and writes the report.
 void add_field_and_costs(nlohmann::ordered_json& json, const Work_report& report);
+void write_with_costs(std::ostream& out, nlohmann::ordered_json json, const Work_report& report);
 
 } // namespace reeb_graph_program
 

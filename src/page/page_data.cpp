@@ -240,37 +240,20 @@ std::string base64(const std::vector<Number>& numbers)
 }
 
 namespace {
-std::vector<double> values(const Page_subject& subject)
-{
-  std::vector<double> result;
-  for(const Surface::Vertex_index v : subject.surface().vertices())
-    result.push_back(subject.scalar_map[v]);
-  return result;
-}
-
-Embedded_graph embed(const Page_subject& subject)
+Embedded_graph embed(Mesh_graph& shown)
 {
   namespace parameters = CGAL::parameters;
   Progress_bar progress_bar("embedding");
   auto embedding = CGAL::Reeb_graph::embed<CGAL::Parallel_if_available_tag>(
-    subject.augmentation,
+    shown.surface_augmentation(),
     parameters::number_of_contours(16).number_of_contours_at_nodes(2).number_of_smoothing_steps(1).callback(
       std::ref(progress_bar)));
-  const Surface_follower follow(subject.surface());
+  const Surface_follower follow(shown.surface_augmentation().mesh());
   for(Point& point : embedding.node_points)
     point = follow(point);
   for(Polyline& line : embedding.arc_polylines)
     line = follow(line);
-  return {subject.graph(), std::move(embedding.node_points), std::move(embedding.arc_polylines), subject.arc_table};
-}
-
-Shown_surface shown_surface(const Page_subject& subject)
-{
-  Shown_surface shown = {subject.surface(), subject.scalar_map, subject.places, num_vertices(subject.graph()), {},
-                         subject.patch_map};
-  for(const auto node : CGAL::make_range(vertices(subject.graph())))
-    shown.vertices_to_keep.push_back(subject.graph()[node].vertex);
-  return shown;
+  return {shown.result(), std::move(embedding.node_points), std::move(embedding.arc_polylines), shown.arc_table()};
 }
 
 nlohmann::ordered_json page_chain(const Surface& surface,
@@ -288,13 +271,13 @@ nlohmann::ordered_json page_chain(const Surface& surface,
   return json;
 }
 
-void add_chains(const Page_subject& subject, const Display_surface& surface, nlohmann::ordered_json& arcs)
+void add_chains(const Augmentation& augmentation, const Display_surface& surface, nlohmann::ordered_json& arcs)
 {
   std::size_t number = 0;
-  for(const auto arc : CGAL::make_range(edges(subject.graph())))
+  for(const auto arc : CGAL::make_range(edges(augmentation.graph())))
   {
     nlohmann::ordered_json& json = arcs[number++];
-    json["chain"] = page_chain(subject.surface(), subject.graph()[arc].chain, surface.new_numbers);
+    json["chain"] = page_chain(augmentation.mesh(), augmentation.graph()[arc].chain, surface.new_numbers);
     json["contours"] = nullptr;
   }
 }
@@ -316,13 +299,13 @@ nlohmann::ordered_json page_polyline(const Polyline& polyline, std::size_t numbe
 }
 
 // Contours of the whole surface, as the page cannot trace any on a decimated one.
-void add_contours(const Page_subject& subject, const Page_frame& frame, nlohmann::ordered_json& arcs)
+void add_contours(const Augmentation& augmentation, const Page_frame& frame, nlohmann::ordered_json& arcs)
 {
   constexpr std::size_t number_of_points = 300, number_of_all_points = 1000000, largest_number_of_contours = 16;
   const std::size_t number_of_contours = std::clamp<std::size_t>(
     number_of_all_points / number_of_points / (std::max<std::size_t>)(arcs.size(), 1), 1, largest_number_of_contours);
   std::size_t number = 0;
-  for(const auto arc : CGAL::make_range(edges(subject.graph())))
+  for(const auto arc : CGAL::make_range(edges(augmentation.graph())))
   {
     nlohmann::ordered_json& json = arcs[number++];
     json["chain"] = nullptr;
@@ -330,10 +313,10 @@ void add_contours(const Page_subject& subject, const Page_frame& frame, nlohmann
     for(std::size_t i = 0; i != number_of_contours; ++i)
     {
       const double t = (double(i) + 0.5) / double(number_of_contours);
-      const auto contour = subject.augmentation.contour(arc, t);
+      const auto contour = augmentation.contour(arc, t);
       Polyline polyline;
       polyline.reserve(contour.number_of_crossings() + 1);
-      subject.augmentation.points_of_contour(contour, std::back_inserter(polyline));
+      augmentation.points_of_contour(contour, std::back_inserter(polyline));
       if(contour.is_closed())
         polyline.push_back(polyline.front());
       nlohmann::ordered_json points = page_polyline(polyline, number_of_points, frame);
@@ -397,26 +380,36 @@ nlohmann::ordered_json page_surface(std::size_t number_of_faces,
 }
 
 // The vertices of a chain by their numbers in the page.
-nlohmann::ordered_json page_data(const Page_subject& subject)
+nlohmann::ordered_json page_data(const Page_request& request, Mesh_graph& shown)
 {
-  const Page_frame frame(subject.surface());
-  const Value_scale value_scale(values(subject));
-  const Display_surface surface = display_surface(shown_surface(subject), frame);
-  const Embedded_graph embedded = embed(subject);
+  const Augmentation& augmentation = shown.surface_augmentation();
+  const Surface& mesh = augmentation.mesh();
+  const Page_frame frame(mesh);
+  std::vector<double> values;
+  for(const Surface::Vertex_index v : mesh.vertices())
+    values.push_back(request.scalar_map[v]);
+  const Value_scale value_scale(values);
+  std::vector<Surface::Vertex_index> vertices_to_keep;
+  for(const auto node : CGAL::make_range(vertices(augmentation.graph())))
+    vertices_to_keep.push_back(augmentation.graph()[node].vertex);
+  const Display_surface surface = display_surface(
+    {mesh, request.scalar_map, shown.places(), num_vertices(augmentation.graph()), vertices_to_keep, request.patch_map},
+    frame);
+  const Embedded_graph embedded = embed(shown);
 
-  nlohmann::ordered_json data = begin_data(subject.title, subject.up, subject.field_label, value_scale);
+  nlohmann::ordered_json data = begin_data(request.title, request.up, request.field_label, value_scale);
   data["skeleton"] = nullptr;
-  data["surface"] = page_surface(subject.surface().number_of_faces(), surface, frame);
-  data["columns"] = page_columns(subject.arc_table);
+  data["surface"] = page_surface(mesh.number_of_faces(), surface, frame);
+  data["columns"] = page_columns(shown.arc_table());
   data["graph"] = page_graph(embedded, frame, value_scale);
   if(surface.is_decimated)
-    add_contours(subject, frame, data["graph"]["arcs"]);
+    add_contours(augmentation, frame, data["graph"]["arcs"]);
   else
-    add_chains(subject, surface, data["graph"]["arcs"]);
+    add_chains(augmentation, surface, data["graph"]["arcs"]);
   data["levels"] = page_levels(embedded, frame, value_scale);
   data["ticks"] = page_ticks(embedded.graph, data["levels"]);
-  data["curves"] = page_curves(subject.curves, frame);
-  data["loops"] = page_loops(subject.loops);
+  data["curves"] = page_curves(request.curves, frame);
+  data["loops"] = page_loops(request.loops);
   return data;
 }
 

@@ -12,7 +12,9 @@
 #include "base/options.h"
 #include "base/report.h"
 #include "base/surface.h"
+#include "computation/Mesh_graph.h"
 #include "computation/simplification.h"
+#include "computation/skeleton.h"
 
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
 
@@ -106,25 +108,21 @@ nlohmann::ordered_json page_levels(const Embedded_graph& given,
 // The thresholds that matter, each with the last of these levels that it reaches, and whether it is the suggested one.
 nlohmann::ordered_json page_ticks(const Graph& graph, const nlohmann::ordered_json& levels);
 
-// What the data of a page are made of: a graph on its surface, with patches and curves if there are any.
-struct Page_subject
+// What a page is written of: a graph on its surface, with patches and curves if there are any.
+struct Page_request
 {
-  const Augmentation& augmentation;       // the way from the graph to the surface
-  const std::vector<std::size_t>& places; // of the vertices, by their indices
-  const Arc_table& arc_table;
   Scalar_map scalar_map;
+  Mesh_graph& graph; // of a surface
   std::string title;
   Field_label field_label;
-  std::string up = {}; // x, y, z, -x, -y, -z, or empty
+  Simplification_options simplification = {}; // that of the graph
+  std::string up = {};                        // which way is up: x, y, z, -x, -y, -z, or as the page finds it
   std::optional<Patch_map> patch_map = std::nullopt;
   std::vector<Polyline> curves = {};
   std::vector<Loop_row> loops = {}; // what each curve is, if they are handles, tunnels and the like
-
-  const Surface& surface() const { return augmentation.mesh(); }
-  const Graph& graph() const { return augmentation.graph(); }
 };
 
-// The data of the page, which its script src/page/data.js reads.
+// The data of the page, which its script src/page/data.js reads, with a graph that may be smaller than that of the request.
 //
 // Arrays of numbers that belong to the surface are base64 codes of little-endian numbers. All points are relative to
 // surface.origin. A number that JSON does not have is one of the strings "Infinity", "-Infinity" and "NaN", for which
@@ -141,7 +139,21 @@ struct Page_subject
 //
 // `skeleton` has the counts of a skeleton, and is null for a Reeb graph. Nodes of skeletons know their points by number in
 // the place of vertices, and arcs, which have neither chains nor contours, rise and fall in the plane where a loop closes.
-nlohmann::ordered_json page_data(const Page_subject& subject);
+nlohmann::ordered_json page_data(const Page_request& request, Mesh_graph& shown);
+
+// What the data of the page of a skeleton are made of.
+struct Page_of_skeleton
+{
+  Surface& surface; // gets the distances along the lines, which the page has as its field, as a property
+  const Skeleton& skeleton;
+  std::string title;
+  std::string unit; // of lengths
+  std::string up = {};
+};
+
+// The data of the page, in which the skeleton is the graph: its arcs have neither chains nor contours, and rise and fall in
+// the plane where they close a loop. Nodes have the number of their point in the place of a vertex. `skeleton` has counts.
+nlohmann::ordered_json page_data(const Page_of_skeleton& page);
 
 // What all pages have: this, and then the surface.
 nlohmann::ordered_json begin_data(const std::string& title,

@@ -15,12 +15,12 @@
 
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -35,23 +35,6 @@ namespace fs = std::filesystem;
 
 namespace reeb_graph_program {
 namespace {
-// Where the text has one of the characters, it is replaced by what stands for it.
-std::string escape(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> replacements)
-{
-  std::string escaped;
-  escaped.reserve(text.size());
-  for(const char character : text)
-  {
-    const auto replacement = std::find_if(replacements.begin(), replacements.end(),
-                                          [&](const auto& candidate) { return candidate.first == character; });
-    if(replacement == replacements.end())
-      escaped += character;
-    else
-      escaped += replacement->second;
-  }
-  return escaped;
-}
-
 // The threshold of persistence at which a graph that is too large for a page has become small enough.
 std::optional<double> threshold_for_page(const Graph& given, const Graph& wanted, double least_threshold)
 {
@@ -76,14 +59,20 @@ std::optional<double> threshold_for_page(const Graph& given, const Graph& wanted
 // any cannot be ended by them.
 std::string script_text(const nlohmann::ordered_json& data)
 {
-  return escape(data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), {{'<', "\\u003c"}});
+  std::string text = data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  boost::replace_all(text, "<", "\\u003c");
+  return text;
 }
 
 std::string html_text(const nlohmann::ordered_json& string)
 {
   // As JSON, it has been made UTF-8.
   const std::string text = string.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  return escape(nlohmann::json::parse(text).get<std::string>(), {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
+  std::string html = nlohmann::json::parse(text).get<std::string>();
+  boost::replace_all(html, "&", "&amp;");
+  boost::replace_all(html, "<", "&lt;");
+  boost::replace_all(html, ">", "&gt;");
+  return html;
 }
 
 // Writes the page up to the marker and what stands for it, and returns what follows.
@@ -142,9 +131,7 @@ void write_page(const fs::path& path, const Page_request& request)
     smaller = request.graph.simplify(options, *threshold);
   }
   Mesh_graph& shown = smaller ? *smaller : request.graph;
-  nlohmann::ordered_json data =
-    page_data({shown.surface_augmentation(), shown.places(), shown.arc_table(), request.scalar_map, request.title,
-               request.field_label, request.up, request.patch_map, request.curves, request.loops});
+  nlohmann::ordered_json data = page_data(request, shown);
   data["graph"]["is_simplified"] = threshold.has_value();
   data["graph"]["arcs_of_input"] = num_edges(wanted);
   data["graph"]["threshold"] = threshold.value_or(0);

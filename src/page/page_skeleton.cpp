@@ -6,10 +6,9 @@
 //
 // Author(s)     : The Reeb_graph authors
 
-#include "page/page_skeleton.h"
+#include "page/page_data.h"
 
 #include "base/report.h"
-#include "page/page_data.h"
 
 #include <CGAL/Reeb_graph/plane_layout.h>
 
