@@ -300,7 +300,8 @@ std::size_t fill_borders(Polygon_soup& soup, std::size_t most_edges, std::vector
   {
     const Polygon_cut cut(soup.points, Polygons::Polygon(v.data(), v.data() + v.size()), taken, third_vertices);
     const std::vector<Corners> triangles = v.size() == 3 ? std::vector<Corners>{{0, 1, 2}} : cut.triangles_in_space();
-    const bool is_filled = !triangles.empty() && !cut.is_any_taken(triangles);
+    const bool is_lone = v.size() == 3 && third_vertices[0] == v[2]; // a triangle, which no other one may repeat
+    const bool is_filled = !triangles.empty() && !is_lone && !cut.is_any_taken(triangles);
     for(const Corners& t : is_filled ? triangles : std::vector<Corners>())
     {
       soup.polygons.add(std::array<Corner, 3>{v[t[0]], v[t[1]], v[t[2]]});
