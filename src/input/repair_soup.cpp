@@ -340,17 +340,21 @@ public:
   {
     Repair_counts& counts = result_.counts;
     counts.given = counts.merged = count_soup(soup_.polygons, soup_.points.size());
-    if(!options_.distance && options_.are_coinciding_points_merged && options_.are_opposite_faces_cancelled
-       && options_.is_split)
-      mend_in_the_best_way();
-    else
-      mend();
+    const bool is_best_searched = !options_.distance && options_.are_coinciding_points_merged
+                               && options_.are_opposite_faces_cancelled && options_.is_split;
+    for(int turn = 0; turn < most_turns; ++turn)
+    {
+      if(is_best_searched)
+        mend_in_the_best_way();
+      else
+        mend();
+      if(options_.least_share > 0)
+        leave_out_pieces(faces_of_lesser_pieces(soup_, options_.least_share, counts), counts.faces_of_pieces);
+      if(!(options_.most_filled_edges > 0 && fill()))
+        break; // else points may be merged now, as faces lie between them
+    }
     if(options_.are_coinciding_points_merged || options_.distance)
       count_unmerged_points();
-    if(options_.least_share > 0)
-      leave_out_pieces(faces_of_lesser_pieces(soup_, options_.least_share, counts), counts.faces_of_pieces);
-    if(options_.most_filled_edges > 0)
-      fill();
     if(options_.is_largest_kept)
       keep_largest();
     counts.result = count_soup(soup_.polygons, soup_.points.size());
@@ -361,7 +365,6 @@ private:
   void mend()
   {
     const bool is_merged = options_.are_coinciding_points_merged || options_.distance;
-    constexpr int most_turns = 8;
     for(int turn = 0; turn < most_turns; ++turn)
     {
       if(!(is_merged && merge()) && turn > 0)
@@ -576,13 +579,15 @@ private:
     reverse(is_turned);
   }
 
-  void fill()
+  // Returns whether any border is filled.
+  bool fill()
   {
     std::vector<std::array<Corner, 2>> origins;
-    const std::size_t before = soup_.polygons.size();
-    result_.counts.filled_borders = fill_borders(soup_, options_.most_filled_edges, origins);
-    result_.counts.filling_faces = soup_.polygons.size() - before;
+    const std::size_t before = soup_.polygons.size(), number = fill_borders(soup_, options_.most_filled_edges, origins);
+    result_.counts.filled_borders += number;
+    result_.counts.filling_faces += soup_.polygons.size() - before;
     add_points(origins);
+    return number > 0;
   }
 
   void keep_largest()
@@ -603,6 +608,8 @@ private:
         others.push_back(i);
     leave_out_pieces(others, result_.counts.other_faces);
   }
+
+  static constexpr int most_turns = 8;
 
   Polygon_soup& soup_;
   Repair_options options_;
