@@ -496,31 +496,30 @@ def make_animal():
     write_tubes("animal.off", limbs, 0.055)
 
 
-def draw_skeleton(picture, mesh, offset=0):
+def draw_skeleton(picture, mesh, offset=0, scale=1):
     """A pale surface, and its skeleton in front of it, with nodes as dots."""
     run("skeleton", mesh, "--output", "skeleton.polylines.txt")
     points, faces = read_off(files / mesh)
-    picture.draw_surface(points + offset, faces, numpy.full((len(faces), 3), 205.0), 0.75)
-    for line in read_polylines("skeleton.polylines.txt"):
-        picture.draw_line(line + offset, (200, 30, 30), 2, numpy.inf)
+    picture.draw_surface(scale * points + offset, faces, numpy.full((len(faces), 3), 205.0), 0.75)
+    for line in (scale * line + offset for line in read_polylines("skeleton.polylines.txt")):
+        picture.draw_line(line, (200, 30, 30), 2, numpy.inf)
         for end in (line[:1], line[-1:]):
-            picture.draw_line(numpy.concatenate([end, end]) + offset, (20, 60, 140), 5, numpy.inf)
+            picture.draw_line(numpy.concatenate([end, end]), (20, 60, 140), 5, numpy.inf)
 
 
 def draw_skeletons(name):
-    """A vessel, the neuron of the examples, and an animal, side by side; or the vessel alone."""
+    """A vessel, the neuron of the examples, and an animal, side by side; or without the neuron."""
     make_vessel()
-    if name == "skeleton.png":
-        picture = Picture(read_off(files / "vessel.off")[0], (260, 420))
-        draw_skeleton(picture, "vessel.off")
-        return picture.write(name)
     make_animal()
     (files / "neuron.off").write_bytes((data / "neuron.off").read_bytes())
-    meshes = {"vessel.off": (-7.2, 2.6, 0), "neuron.off": (0, 0, .5), "animal.off": (7.4, -2.6, .4)}
-    places = [read_off(files / mesh)[0] + offset for mesh, offset in meshes.items()]
-    picture = Picture(numpy.concatenate(places), (760, 290))
-    for mesh, offset in meshes.items():
-        draw_skeleton(picture, mesh, numpy.array(offset))
+    size, meshes = (760, 290), {"vessel.off": ((-7.2, 2.6, 0), 1), "neuron.off": ((0, 0, .5), 1),
+                                "animal.off": ((8.2, -2.6, .2), 1.2)}
+    if name == "skeleton.png":
+        size, meshes = (520, 330), {"vessel.off": ((0, 0, 0), 1), "animal.off": ((5.9, 0, 0.2), 1.8)}
+    places = [scale * read_off(files / mesh)[0] + offset for mesh, (offset, scale) in meshes.items()]
+    picture = Picture(numpy.concatenate(places), size)
+    for mesh, (offset, scale) in meshes.items():
+        draw_skeleton(picture, mesh, numpy.array(offset), scale)
     picture.write(name)
 
 
