@@ -35,9 +35,7 @@ std::vector<std::filesystem::path> check_options(const Skeleton_command_options&
   std::vector<std::filesystem::path> outputs;
   for(const std::string& path : options.output_paths)
   {
-    check_skeleton_format(path);
-    if(are_paths_wanted(options))
-      check_path_format(path);
+    (are_paths_wanted(options) ? check_path_format : check_skeleton_format)(path);
     outputs.emplace_back(path);
   }
   check_page(options.page_path, options.up);
@@ -102,6 +100,7 @@ void run_skeleton(const Skeleton_command_options& options)
                                    options.unit, options.up});
   }
   files.put_in_place();
+  note_lost_numbers(report.skeleton, report.notes);
   note_lost_unit(options.unit, !options.page_path.empty(), report.notes);
   if(std::any_of(outputs.begin(), outputs.end(), [](const auto& path) { return !path.empty(); }))
     report.add_seconds("output", output_stopwatch.seconds());

@@ -269,6 +269,28 @@ void note_lost_parts(const std::filesystem::path& path, const Skeleton& skeleton
     notes.push_back(path.string() + ": radii are left out, for which .swc, .vtp and .graphml have room");
 }
 
+void note_lost_numbers(const Skeleton& skeleton, std::vector<std::string>& notes)
+{
+  typedef CGAL::Reeb_graph::Skeleton_branch Branch;
+  if(std::isinf(numbers_of(skeleton).cable_length))
+    notes.push_back("the length of the cable is beyond double, null in JSON");
+  for(const auto& [name, number] :
+      {std::make_pair("lengths", &Branch::length), {"areas", &Branch::area}, {"volumes", &Branch::volume}})
+  {
+    std::size_t large = 0, small = 0;
+    for(const Branch& branch : skeleton.branches)
+    {
+      const bool is_small = branch.radius > 0 && branch.length > 0 && branch.radius * branch.length < 1e-150;
+      large += std::isinf(branch.*number) ? 1 : 0;
+      small += is_small && branch.*number < (std::numeric_limits<double>::min)() ? 1 : 0;
+    }
+    if(large > 0)
+      notes.push_back(std::string(name) + " beyond double, null in JSON, inf in .csv: " + std::to_string(large));
+    if(small > 0)
+      notes.push_back(std::string(name) + " too small for double, about 0: " + std::to_string(small));
+  }
+}
+
 void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton, bool are_radii_inscribed)
 {
   const std::string format = format_of_skeleton(path);

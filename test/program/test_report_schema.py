@@ -34,6 +34,9 @@ pathlib.Path("open.off").write_text("OFF\n5 4 0\n0 0 0\n2 0 1\n2 2 0\n0 2 1\n1 1
 pathlib.Path("volume.mesh").write_text(
     "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\nTetrahedra\n2\n"
     "1 2 3 4 0\n2 3 4 5 0\nEnd\n")
+for name, unit in (("large", "1e200"), ("small", "1e-200"), ("largest", "1.5e308")):
+    pathlib.Path(f"{name}.off").write_text(f"OFF\n4 4 0\n0 0 0\n{unit} 0 0\n0 {unit} 0\n0 0 {unit}\n"
+                                           "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
 subprocess.run([program, "demo", "--out", "demo"], check=True, stdout=subprocess.DEVNULL)
 surface = "demo/surface.off"
 commands = [["compute", mesh, "--field", "z", "--table"] for mesh in ("closed.off", "sheet.off", "open.off", "volume.mesh")]
@@ -48,6 +51,7 @@ commands += [
     ["repair", "sheet.off", "--all", "--output", "repaired.ply"],
     ["repair", "open.off", "--fill", "9", "--least-piece", "0.1", "--output", "filled.ply"],
     ["skeleton", surface], ["skeleton", "open.off", "--output", "lines.swc", "lines.csv"],
+    ["skeleton", "large.off"], ["skeleton", "small.off"], ["skeleton", "largest.off"],
     ["skeleton", "sheet.off", "--fill-borders"], ["skeleton", surface, "--from", "thickest", "--to", "tips"],
 ]
 commands += [["field", surface, "--type", kind, "--output", "field.txt"]
@@ -61,7 +65,10 @@ for command in commands:
     if found.returncode != 0:
         faults.append(f"{' '.join(command)}: {found.stderr}")
         continue
-    report = json.loads(found.stdout)
+    report = json.loads(found.stdout, parse_constant=faults.append)
+    for name, number, text in (("large.off", None, "volumes beyond double"), ("small.off", 0, "volumes too small")):
+        if name in command and (report["arcs"][0]["volume"] != number or not any(text in n for n in report["notes"])):
+            faults.append(f"{name}: {report['arcs'][0]['volume']}, {report['notes']}")
     part = {"$ref": f"#/$defs/{command[0]}", "$defs": schema["$defs"]}
     validator = jsonschema.Draft202012Validator(part)
     faults += [f"{' '.join(command)}: {error.json_path}: {error.message}" for error in validator.iter_errors(report)]

@@ -112,7 +112,9 @@ expect_equal("${number_of_paths}" "1")
 expect_error("neither a vertex nor a point" skeleton neuron.off --from 1,2)
 expect_error("no vertex 99999" skeleton neuron.off --from 99999)
 expect_error("no path" skeleton neuron.off --from 7 --to 7)
-expect_error("p.swc: the file name" skeleton neuron.off --from tips --output p.swc)
+foreach(ending swc graphml csv obj json ply)
+  expect_error("p.${ending}: the file name .*\\.vtp.*\\.polylines\\.txt" skeleton neuron.off --from tips --output p.${ending})
+endforeach()
 
 # Roots and radii of SWC.
 expect_success(skeleton neuron.off --root thickest --radius inscribed --output r.swc)
