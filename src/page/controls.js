@@ -75,7 +75,13 @@ function setUpPatches(page) {
 // Where there are handles, the graph is hidden at first, as it lies on them.
 function setUpGraph({scene, data}) {
   element("show_graph").checked = !data.loops.some(loop => loop.kind === "handle");
-  scene.setLayers({graph: element("show_graph").checked, curves: true});
+  element("show_surface").checked = !data.skeleton; // which is seen alone at first
+  showLayers(scene);
+}
+
+function showLayers(scene) {
+  const isShown = name => element("show_" + name).checked;
+  scene.setLayers({surface: isShown("surface"), graph: isShown("graph"), curves: isShown("curves")});
 }
 
 // Handles, tunnels and other loops, the shortest first: a click shows one from near.
@@ -109,19 +115,26 @@ function setUpForm(page) {
   element("patches_label").hidden = !data.surface.facePatches;
   element("curves_label").hidden = data.curves.length === 0;
   element("level_label").hidden = data.levels.length < 2;
-  element("place_label").hidden = data.skeleton !== null; // Lines have no contours.
+  if (data.skeleton) { // Lines have no contours.
+    element("place_name").textContent = "Ball";
+    element("place_label").title = "Moves the ball along the arc that is kept";
+  }
   element("level").max = data.levels.length - 1;
   addTicks(data.ticks);
   document.querySelectorAll("input[name=coloring]").forEach(input =>
     input.addEventListener("change", () => page.setColoring(input.value)));
-  element("opacity").addEventListener("input", event => page.setOpacity(Number(event.target.value)));
+  element("opacity").addEventListener("input", event => {
+    if (!element("show_surface").checked)
+      element("show_surface").click();
+    page.setOpacity(Number(event.target.value));
+  });
   element("place").addEventListener("input", event => page.setPlace(Number(event.target.value)));
   element("level").addEventListener("input", event => page.setLevel(Number(event.target.value)));
 }
 
 function setUpLayers(scene) {
-  ["show_graph", "show_curves"].forEach(id => element(id).addEventListener("change", () =>
-    scene.setLayers({graph: element("show_graph").checked, curves: element("show_curves").checked})));
+  ["show_surface", "show_graph", "show_curves"].forEach(id =>
+    element(id).addEventListener("change", () => showLayers(scene)));
   element("show_levels").addEventListener("change", event => scene.setLevelLines(event.target.checked ? 24 : 0));
 }
 
@@ -133,13 +146,17 @@ function setUpPointing(page) {
     const rectangle = canvas.getBoundingClientRect();
     return [event.clientX - rectangle.left, event.clientY - rectangle.top];
   };
+  const pick = (x, y) => {
+    const target = scene.pick(x, y), isOnLine = page.data.skeleton && target !== null && target.arc !== undefined;
+    return [target, isOnLine ? scene.placeNear(target.arc, x, y) : undefined];
+  };
   canvas.addEventListener("pointerdown", event => {
     pressed = event.isPrimary ? place(event) : null;
   });
   canvas.addEventListener("pointerup", event => {
     const [x, y] = place(event);
     if (pressed && Math.hypot(x - pressed[0], y - pressed[1]) < 6)
-      page.keep(scene.pick(x, y));
+      page.keep(...pick(x, y));
     pressed = null;
   });
   canvas.addEventListener("pointermove", event => {
@@ -152,7 +169,7 @@ function setUpPointing(page) {
     requestAnimationFrame(() => {
       isPickRequested = false;
       if (position)
-        page.point(scene.pick(...position));
+        page.point(...pick(...position));
     });
   });
   canvas.addEventListener("pointerleave", () => {

@@ -42,6 +42,7 @@ function decodeGraph(graph, range, columns) {
     nodes,
     arcs: graph.arcs.map(arc => Object.assign({}, arc, ...columns.map(({name}) => ({[name]: Number(arc[name])})), {
       plane: decodePlane(arc.plane, nodes[arc.source].value, nodes[arc.target].value, range),
+      inscribedRadii: arc.inscribed_radii, // of the points of lines of skeletons, as `radii`
       contours: arc.contours ? arc.contours.map(decodeContour) : null
     }))
   };

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global element, makePlaneScale, niceTicks, formatNumber, kindColors, toHex */
+/* global element, formatNumber, kindColors, locate, makePlaneScale, nearestPlace, niceTicks, toHex, waysInPlane */
 /* exported Drawing, makeNodeShape */
 
 // The drawing of the graph in the plane, with an axis of values.
@@ -38,7 +38,8 @@ function makeNodeShape(kind, x, y, r, parent) {
 }
 
 class Drawing {
-  // `on` has what is called: point(target or null), keep(target or null), and drag(arc, value).
+  // `on` has what is called: point(target or null, place), keep(target or null), and drag(arc, value, place). The place
+  // is a share of the length of an arc.
   constructor(container, data, on) {
     this.container = container;
     this.data = data;
@@ -143,18 +144,33 @@ class Drawing {
     });
   }
 
-  // The mark of the contour on its arc, or none.
-  setMarker(arc, value) {
-    this.marker.setAttribute("visibility", arc === null ? "hidden" : "visible");
-    if (arc === null)
+  // The mark on an arc, or none.
+  setMarker(point) {
+    this.marker.setAttribute("visibility", point === null ? "hidden" : "visible");
+    if (point === null)
       return;
-    const [x, y] = this.pointAt(arc, value);
-    this.marker.setAttribute("cx", x);
-    this.marker.setAttribute("cy", y);
+    this.marker.setAttribute("cx", point[0]);
+    this.marker.setAttribute("cy", point[1]);
   }
 
   pointAt(arc, value) {
     return [this.scale.x(this.view.column(arc, value)), this.scale.y(this.drawnValue(value))];
+  }
+
+  pointsOf({plane}) {
+    return plane.filter((_, i) => i % 2 === 0).map((x, i) => [this.scale.x(x), this.scale.y(plane[2 * i + 1])]);
+  }
+
+  pointAtPlace(number, place) {
+    const arc = this.view.arcs[number], points = this.pointsOf(arc);
+    const {end, share} = locate(waysInPlane(arc.plane), place);
+    return points[end].map((x, i) => points[end - 1][i] + share * (x - points[end - 1][i]));
+  }
+
+  // The place of an arc that is nearest to the pointer.
+  placeAt(number, event) {
+    const arc = this.view.arcs[number], {left, top} = this.container.getBoundingClientRect();
+    return nearestPlace(this.pointsOf(arc), waysInPlane(arc.plane), [event.clientX - left, event.clientY - top]);
   }
 
   // Scrolls to the arc that is there longest.
@@ -185,12 +201,13 @@ class Drawing {
   }
 
   movePointer(event) {
+    const target = this.targetOf(event);
     if (this.dragged !== null)
-      this.on.drag(this.dragged, this.valueAt(event));
+      this.on.drag(this.dragged, this.valueAt(event), this.placeAt(this.dragged, event));
     else if (this.isMoved && event.buttons === 1)
       this.move(event.movementX);
     else if (event.pointerType !== "touch")
-      this.on.point(this.targetOf(event));
+      this.on.point(target, target && target.arc !== undefined ? this.placeAt(target.arc, event) : undefined);
   }
 
   pressPointer(event) {
@@ -203,7 +220,7 @@ class Drawing {
     if (this.pressed.arc === undefined)
       return;
     this.dragged = this.pressed.arc;
-    this.on.drag(this.dragged, this.valueAt(event));
+    this.on.drag(this.dragged, this.valueAt(event), this.placeAt(this.dragged, event));
     this.container.setPointerCapture(event.pointerId);
   }
 }

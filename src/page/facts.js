@@ -28,16 +28,16 @@ class Facts {
       + " on " + plural(this.data.surface.facesOfInput, "triangle");
   }
 
-  // Shows the facts of an arc {arc}, with its contour, or of a node {node}, or how to read a graph.
-  show(target, contour) {
+  // Shows the facts of an arc {arc}, with its contour or ball, or of a node {node}, or how to read a graph.
+  show(target, place) {
     const text = element("facts_text");
     text.replaceChildren();
     if (target === null)
       this.explain(text);
     else if (target.arc !== undefined)
-      this.showArc(text, target.arc, contour);
+      this.showArc(text, target.arc, place);
     else
-      this.showNode(text, target.node);
+      this.showNode(text, target.node, this.data.skeleton ? place : null);
   }
 
   // Tells those who do not see it.
@@ -65,11 +65,12 @@ class Facts {
     }
     const canSimplify = this.view.arcs.length > 40 && this.data.levels.length > 1;
     addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it"
-      + (skeleton ? "." : ", and move its contour.")
+      + (skeleton ? ", and move along it the largest ball in the surface." : ", and move its contour.")
       + (canSimplify ? " Simplify to see what matters most." : ""), "hint");
   }
 
-  showArc(text, number, contour) {
+  // At a contour, or at a ball in a skeleton.
+  showArc(text, number, place) {
     const {view, unit} = this, arc = view.arcs[number];
     const end = node =>
       node.kind + " at " + formatValue(node.value, unit) + " (" + this.nameOfVertex + " " + node.vertex + ")";
@@ -77,12 +78,25 @@ class Facts {
     addElement(text, "p", (this.data.skeleton ? "A line and its" : "One") + " piece of the surface. At its lower end "
       + this.tellEnd(arc.source)
       + ", at its upper end " + this.tellEnd(arc.target) + ".");
-    this.addList(text, [
-      ["upper end", end(view.upper(number))],
-      ["lower end", end(view.lower(number))]
-    ].concat(
+    const rows = this.data.skeleton ? this.showBall(text, place) : [];
+    this.addList(text, rows.concat(
+      [["upper end", end(view.upper(number))], ["lower end", end(view.lower(number))]],
       this.data.columns.map(({name, unit: kind}) => [name.replace(/_/g, " "), this.format(arc[name], kind)]),
-      contour ? [["contour at", formatValue(contour.value, unit)]] : []));
+      place && !this.data.skeleton ? [["contour at", formatValue(place.value, unit)]] : []));
+  }
+
+  // Says in which junction a ball is, and returns what else there is to say of it.
+  showBall(text, {way, length, inscribedRadius, radius, junction}) {
+    const {view, unit} = this;
+    if (junction !== null) {
+      addElement(text, "p", "This place lies in the junction at point " + view.nodes[junction].vertex + ", where "
+        + this.tellEnd(junction) + ".");
+    }
+    return [
+      ["radius of the ball", formatValue(inscribedRadius, unit)],
+      ["radius there", formatValue(radius, unit)],
+      ["place", formatNumber(way) + " of " + formatValue(length, unit)]
+    ];
   }
 
   // A number of an arc, in the unit of the field, without one, or a count.
@@ -91,16 +105,20 @@ class Facts {
       : kind === "count" ? number.toLocaleString("en") : formatNumber(number);
   }
 
-  showNode(text, number) {
+  showNode(text, number, ball) {
     const {view} = this, node = view.nodes[number];
     element("facts_heading").textContent = "Node " + number + ": " + node.kind;
     addElement(text, "p", "Here " + this.tellEnd(number) + ".");
     this.addList(text, [
       ["value", formatValue(node.value, this.unit)],
-      [this.nameOfVertex, String(node.vertex)],
+      [this.nameOfVertex, String(node.vertex)]
+    ].concat(ball ? [
+      ["inscribed radius", formatValue(ball.inscribedRadius, this.unit)],
+      ["radius", formatValue(ball.radius, this.unit)]
+    ] : [], [
       ["arcs above", view.arcsAbove[number].join(", ") || "none"],
       ["arcs below", view.arcsBelow[number].join(", ") || "none"]
-    ]);
+    ]));
   }
 
   addList(text, rows) {

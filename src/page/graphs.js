@@ -5,7 +5,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
 /* global Halfedges, levelAtPlace, levelAboveValue, traceContour */
-/* exported GraphView, makeContourTracer, describeKind */
+/* exported GraphView, locate, makeContourTracer, nearestPlace, describeKind, partsInJunctions, waysAlong,
+   waysInPlane */
+
+// How far the points of a line are from its first one, along it: in space, or in the plane upwards and downwards.
+function waysAlong(polyline) {
+  const ways = [0];
+  for (let i = 3; i < polyline.length; i += 3)
+    ways.push(ways[ways.length - 1] + Math.hypot(...[0, 1, 2].map(j => polyline[i + j] - polyline[i + j - 3])));
+  return ways;
+}
+
+function waysInPlane(plane) {
+  const ways = [0];
+  for (let i = 3; i < plane.length; i += 2)
+    ways.push(ways[ways.length - 1] + Math.abs(plane[i] - plane[i - 2]));
+  return ways;
+}
+
+// The end of the segment at a place of a line, which is a share of its length, and the share of the segment before it.
+function locate(ways, place) {
+  const way = place * ways[ways.length - 1], end = Math.max(1, ways.findIndex(other => other >= way));
+  const length = ways[end] - ways[end - 1];
+  return {end, share: length > 0 ? (way - ways[end - 1]) / length : 0};
+}
+
+// The place of a line that is nearest to a point of a picture, in which its points are.
+function nearestPlace(points, ways, [x, y]) {
+  let way = 0, least = Infinity;
+  for (let i = 1; i < points.length; ++i) {
+    const [a, b] = points[i - 1], dx = points[i][0] - a, dy = points[i][1] - b, square = dx * dx + dy * dy;
+    const share = square > 0 ? Math.min(Math.max(((x - a) * dx + (y - b) * dy) / square, 0), 1) : 0;
+    const distance = Math.hypot(x - a - share * dx, y - b - share * dy);
+    if (distance < least) {
+      least = distance;
+      way = ways[i - 1] + share * (ways[i] - ways[i - 1]);
+    }
+  }
+  return way / ways[ways.length - 1] || 0;
+}
+
+// The parts of a line of a skeleton that lie in junctions.
+function partsInJunctions({polyline, junctions}) {
+  const parts = [];
+  (junctions || []).forEach((isInJunction, i) => {
+    if (!isInJunction)
+      return;
+    if (i === 0 || !junctions[i - 1])
+      parts.push(polyline.slice(3 * i, 3 * i + 3));
+    parts[parts.length - 1].push(...polyline.slice(3 * i + 3, 3 * i + 6));
+  });
+  return parts;
+}
 
 // The graph at a level of simplification: its nodes and arcs, what they stand for, and the ways along it.
 class GraphView {
@@ -103,6 +154,28 @@ class GraphView {
   // An arc at a node.
   arcAt(node) {
     return this.arcsAbove[node].concat(this.arcsBelow[node], 0)[0];
+  }
+
+  // The ball in the surface at the point of a line of a skeleton that is nearest to a place, with the radius of the
+  // tube, the way up to there, the value, and the node of the junction that the place lies in, or null.
+  ballAt(number, place) {
+    const arc = this.arcs[number], ways = waysAlong(arc.polyline), length = ways[ways.length - 1];
+    const {end, share} = locate(ways, place), i = share < 0.5 ? end - 1 : end, way = ways[i];
+    const outside = arc.junctions.indexOf(0);
+    const isAtSource = outside < 0 ? place < 0.5 : end - 1 < outside;
+    return {
+      arc: number, place: way / length || 0, way, length,
+      point: arc.polyline.slice(3 * i, 3 * i + 3),
+      radius: arc.radii[i],
+      inscribedRadius: arc.inscribedRadii[i],
+      value: Math.min(this.lower(number).value + way, this.upper(number).value + length - way),
+      junction: arc.junctions[end - 1] ? (isAtSource ? arc.source : arc.target) : null
+    };
+  }
+
+  ballAtNode(node) {
+    const arc = this.arcAt(node);
+    return this.ballAt(arc, this.arcs[arc].source === node ? 0 : 1);
   }
 
   countComponents() {

@@ -12,11 +12,11 @@
 const themes = {
   light: {
     line: [0.13, 0.14, 0.18], dim: [0.86, 0.86, 0.88], outline: [0.1, 0.1, 0.12], curve: [0.1, 0.1, 0.12],
-    contour: [0.93, 0.08, 0.38]
+    contour: [0.93, 0.08, 0.38], junction: [0.58, 0.6, 0.66]
   },
   dark: {
     line: [0.95, 0.95, 0.97], dim: [0.25, 0.26, 0.3], outline: [0.05, 0.05, 0.07], curve: [0.97, 0.97, 0.97],
-    contour: [1, 0.27, 0.5]
+    contour: [1, 0.27, 0.5], junction: [0.5, 0.52, 0.58]
   }
 };
 
@@ -25,17 +25,17 @@ class Page {
     this.data = data;
     this.trace = makeContourTracer(data);
     this.state = {
-      level: 0, coloring: data.surface.facePatches ? "patches" : "field", opacity: 0.55, pointed: null, kept: null,
-      place: 0.5, contour: null
+      level: 0, coloring: data.skeleton ? "arcs" : data.surface.facePatches ? "patches" : "field", opacity: 0.55,
+      pointed: null, kept: null, place: 0.5, pointedPlace: 0.5, contour: null, ball: null
     };
     this.views = data.levels.map(() => null);
     showTexts(data);
     this.facts = new Facts(data);
     this.colorBar = new ColorBar(element("color_bar"), data);
     this.drawing = new Drawing(element("drawing"), data, {
-      point: target => this.point(target),
+      point: (target, place) => this.point(target, place),
       keep: target => this.keep(target),
-      drag: (arc, value) => this.dragTo(arc, value)
+      drag: (arc, value, place) => data.skeleton ? this.setPlace(place) : this.dragTo(arc, value)
     });
     this.scene = this.makeScene();
     setUpControls(this);
@@ -69,17 +69,21 @@ class Page {
     return this.views[level];
   }
 
-  point(target) {
-    const old = this.state.pointed;
-    if (JSON.stringify(old) === JSON.stringify(target))
-      return;
-    this.state.pointed = target;
-    this.showTarget();
+  // At a place of an arc, which is a share of its length.
+  point(target, place = 0.5) {
+    const {pointed, pointedPlace} = this.state;
+    Object.assign(this.state, {pointed: target, pointedPlace: place});
+    if (JSON.stringify(pointed) !== JSON.stringify(target))
+      this.showTarget();
+    else if (this.data.skeleton && place !== pointedPlace)
+      this.showContour();
   }
 
-  keep(target) {
+  keep(target, place = this.state.place) {
     this.state.kept = target;
     this.state.pointed = null;
+    this.state.place = Math.min(Math.max(place, 0.01), 0.99);
+    element("place").value = this.state.place;
     this.showTarget();
     if (target !== null)
       this.facts.announce(target);
@@ -103,15 +107,35 @@ class Page {
     this.showContour();
   }
 
+  // Of a skeleton, the ball at a place of a line, or at a node.
+  showBall() {
+    const {target, view, state, drawing} = this, {unit} = this.data.field;
+    const ball = target === null ? null : target.arc === undefined ? view.ballAtNode(target.node)
+      : view.ballAt(target.arc, state.pointed ? state.pointedPlace : state.place);
+    state.ball = ball;
+    if (this.scene)
+      this.scene.setBall(ball);
+    drawing.setMarker(ball ? drawing.pointAtPlace(ball.arc, ball.place) : null);
+    this.colorBar.setMark(ball ? ball.value : null);
+    const text = ball ? "inscribed radius " + formatValue(ball.inscribedRadius, unit) : "choose an arc";
+    element("place_output").textContent = text;
+    element("place").setAttribute("aria-valuetext", text + (ball ? " at " + formatValue(ball.way, unit) : ""));
+    this.facts.show(target, ball);
+  }
+
   showContour() {
+    if (this.data.skeleton) {
+      this.showBall();
+      return;
+    }
     const {target, view, state} = this;
-    const arc = target !== null && target.arc !== undefined && !this.data.skeleton ? target.arc : null;
+    const arc = target !== null && target.arc !== undefined ? target.arc : null;
     const contour = arc === null ? null : this.trace(view, arc, state.place);
     state.contour = contour ? Object.assign({arc}, contour) : null;
     if (this.scene)
       this.scene.setContour(contour);
     const value = arc === null ? 0 : contour ? contour.value : view.value(arc, state.place);
-    this.drawing.setMarker(arc, value);
+    this.drawing.setMarker(arc === null ? null : this.drawing.pointAt(arc, value));
     this.colorBar.setMark(arc === null ? null : value);
     const text = arc === null ? "choose an arc" : "at " + formatValue(value, this.data.field.unit);
     element("place_output").textContent = text;
@@ -214,6 +238,11 @@ class Page {
     const [x, y] = this.drawing.pointAt(arc, this.view.value(arc, t));
     return [left + x, top + y];
   }
+
+  whereAtPlace(arc, place) {
+    const {left, top} = element("drawing").getBoundingClientRect(), [x, y] = this.drawing.pointAtPlace(arc, place);
+    return [left + x, top + y];
+  }
 }
 
 function openPage() {
@@ -222,7 +251,8 @@ function openPage() {
     window.reebGraphPage = Object.freeze({
       state: () => page.describe(),
       whereOnCanvas: point => page.whereOnCanvas(point),
-      whereInDrawing: (arc, t) => page.whereInDrawing(arc, t)
+      whereInDrawing: (arc, t) => page.whereInDrawing(arc, t),
+      whereAtPlace: (arc, place) => page.whereAtPlace(arc, place)
     });
   } catch (error) {
     showFailure("The page cannot be shown: " + error.message);

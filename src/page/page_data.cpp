@@ -203,13 +203,13 @@ Page_frame::Page_frame(const Surface& surface)
 
 std::array<double, 3> Page_frame::coordinates(const Point& point) const
 {
-  std::array<double, 3> result;
-  for(int i = 0; i != 3; ++i)
-  {
-    const double rounded = std::round((point[i] - origin[i]) * digits) / digits;
-    result[i] = std::isfinite(rounded) ? rounded : point[i] - origin[i];
-  }
-  return result;
+  return {rounded(point.x() - origin[0]), rounded(point.y() - origin[1]), rounded(point.z() - origin[2])};
+}
+
+double Page_frame::rounded(double number) const
+{
+  const double result = std::round(number * digits) / digits;
+  return std::isfinite(result) ? result : number;
 }
 
 Display_surface display_surface(const Shown_surface& shown, const Page_frame& frame)

@@ -37,6 +37,9 @@ struct Page_frame
   // The coordinates of a point in the page, with digits for a millionth of the size.
   std::array<double, 3> coordinates(const Point& point) const;
 
+  // A coordinate or a length with as many digits.
+  double rounded(double number) const;
+
   // The centre of the surface where the coordinates have too few digits in single precision, else 0.
   std::array<double, 3> origin = {0, 0, 0};
   double digits = 1; // a power of ten: the coordinates are rounded to multiples of its inverse
@@ -138,7 +141,8 @@ struct Page_request
 // the chain that is below the level to the vertex that follows.
 //
 // `skeleton` has the counts of a skeleton, and is null for a Reeb graph. Nodes of skeletons know their points by number in
-// the place of vertices, and arcs, which have neither chains nor contours, rise and fall in the plane where a loop closes.
+// the place of vertices, and arcs, which have neither chains nor contours, rise and fall in the plane where a loop closes. These
+// have the two radii of each point, and, of each segment, whether it lies in a junction.
 nlohmann::ordered_json page_data(const Page_request& request, Mesh_graph& shown);
 
 // What the data of the page of a skeleton are made of.

@@ -154,23 +154,36 @@ nlohmann::ordered_json page_graph(const Skeleton& skeleton,
   const Value_scale value_scale(distances);
   std::vector<std::size_t> degrees(places.nodes.size(), 0);
   auto arcs = nlohmann::ordered_json::array();
+  auto e = edges(skeleton.graph).first; // along the arcs, in their order
   for(std::size_t i = 0; i != skeleton.arcs.size(); ++i)
   {
-    Polyline line;
-    for(const std::size_t point : skeleton.arcs[i])
-      line.push_back(skeleton.graph[point].point);
+    Numbers points = skeleton.arcs[i];
     Plane_line plane = layout.lines[i];
-    std::array<std::size_t, 2> ends = {skeleton.arcs[i].front(), skeleton.arcs[i].back()};
-    for(const std::size_t end : ends)
+    std::vector<int> are_in_junction;
+    while(are_in_junction.size() + 1 != points.size())
+      are_in_junction.push_back(skeleton.graph[*e++].is_in_junction ? 1 : 0);
+    for(const std::size_t end : {points.front(), points.back()})
       ++degrees[places.of_points[end]];
-    if(distances[ends[1]] < distances[ends[0]])
+    if(distances[points.back()] < distances[points.front()])
     {
-      std::swap(ends[0], ends[1]);
-      std::reverse(line.begin(), line.end());
+      std::reverse(points.begin(), points.end());
       std::reverse(plane.begin(), plane.end());
+      std::reverse(are_in_junction.begin(), are_in_junction.end());
     }
-    nlohmann::ordered_json arc = {{"source", places.of_points[ends[0]]}, {"target", places.of_points[ends[1]]}};
+    Polyline line;
+    std::vector<double> radii, inscribed_radii;
+    for(const std::size_t point : points)
+    {
+      line.push_back(skeleton.graph[point].point);
+      radii.push_back(frame.rounded(skeleton.graph[point].radius));
+      inscribed_radii.push_back(frame.rounded(skeleton.graph[point].inscribed_radius));
+    }
+    nlohmann::ordered_json arc = {{"source", places.of_points[points.front()]},
+                                  {"target", places.of_points[points.back()]}};
     arc["polyline"] = flat_polyline(line, frame);
+    arc["radii"] = std::move(radii);
+    arc["inscribed_radii"] = std::move(inscribed_radii);
+    arc["junctions"] = std::move(are_in_junction);
     arc["plane"] = flat_drawing(plane, value_scale);
     add_columns(table, i, arc);
     arc["chain"] = nullptr;

@@ -5,7 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
 /* global THREE, ColorTable, ViewCamera, buildTubes, dimmed, findPose, lit, loopColors, makeFieldColors,
-   makeMaterial, makeSurfaceGeometry, makeSurfaceMaterials, normalizedValue, rangeOf, shaders, unlit */
+   makeMaterial, makeSurfaceGeometry, makeSurfaceMaterials, nearestPlace, normalizedValue, partsInJunctions, rangeOf,
+   shaders, unlit, waysAlong */
 /* exported Scene */
 
 // The view in space: the surface, the graph in it, curves and a contour. It is drawn when something has changed only.
@@ -34,9 +35,10 @@ class Scene {
     this.fieldColors = makeFieldColors();
     this.dimColor = new THREE.Color(0.7, 0.7, 0.7);
     this.outline = new THREE.Color(0.1, 0.1, 0.1);
-    this.layers = {graph: true, curves: true};
+    this.layers = {surface: true, graph: true, curves: true};
     this.makeSurface();
     this.makeCurves();
+    this.makeBall();
     this.eye = this.makeEye();
   }
 
@@ -68,7 +70,7 @@ class Scene {
     // The depth comes first, so that of a see-through surface the nearest layer is seen only.
     this.surfaceLayers = [materials.depth, materials.color].map((material, i) =>
       this.add(this.scene, geometry, material, 10 + i));
-    this.add(this.numberScene, geometry, materials.number, 0);
+    this.surfaceNumbers = this.add(this.numberScene, geometry, materials.number, 0);
   }
 
   add(scene, geometry, material, order, Kind = THREE.Mesh) {
@@ -127,6 +129,26 @@ class Scene {
     this.litLoop = [];
   }
 
+  // A sphere of radius 1, which shines through what is before it.
+  makeBall() {
+    this.ballColor = new THREE.Color();
+    const material = makeMaterial(shaders.ballVertex, shaders.ballFragment, {color: {value: this.ballColor}}, {
+      side: THREE.FrontSide, depthTest: false, depthWrite: false, transparent: true, extensions: {derivatives: true}
+    });
+    this.ball = this.add(this.scene, new THREE.SphereGeometry(1, 64, 48), material, 18);
+    this.ball.visible = false;
+  }
+
+  // Shows the ball at a place of a line of a skeleton, or none.
+  setBall(ball) {
+    this.ball.visible = ball !== null && ball.inscribedRadius > 0;
+    if (this.ball.visible) {
+      this.ball.position.set(...ball.point.map((x, i) => x - this.pose.center[i]));
+      this.ball.scale.setScalar(ball.inscribedRadius);
+    }
+    this.requestDrawing(true);
+  }
+
   resize(width, height) {
     this.width = Math.max(1, Math.floor(width));
     this.height = Math.max(1, Math.floor(height));
@@ -142,6 +164,7 @@ class Scene {
     this.remove(this.graph);
     this.view = view;
     this.arcTable = new ColorTable(view.arcs.length);
+    this.junctionTable = new ColorTable(view.arcs.length);
     this.arcColors = arcColors;
     this.nodeTable = new ColorTable(view.nodes.length);
     view.nodes.forEach((node, i) => this.nodeTable.setColor(i, nodeColor(node)));
@@ -160,7 +183,7 @@ class Scene {
     const thickness = thicknessOf(view.arcs.length, 36);
     const radius = this.tubeRadius = 0.006 * thickness * this.pose.size;
     const polylines = view.arcs.map((arc, id) => ({points: arc.polyline, isClosed: false, id}));
-    const tubes = this.tubeGeometry(polylines, radius, 8, (arc, t) => view.value(arc, t));
+    const tubes = this.tubeGeometry(polylines, radius, 8, (arc, t) => this.valueOnTube(arc, t));
     const nodes = this.nodeGeometry(view), size = 5 + 10 * thickness;
     const nodeUniforms = {
       colors: {value: this.nodeTable.texture}, rows: {value: this.nodeTable.rows},
@@ -172,18 +195,36 @@ class Scene {
                                      {inflation: {value: 0.6 * radius}, firstNumber: {value: firstArc}}, {});
     const nodeNumbers = makeMaterial(shaders.nodeVertex, shaders.nodeNumberFragment,
                                      Object.assign({}, nodeUniforms, {size: {value: 1.2 * size},
+                                                                      tubeRadius: {value: 1.2 * radius},
                                                                       firstNumber: {value: firstNode}}), {});
     const nodeMaterial = makeMaterial(shaders.nodeVertex, shaders.nodeFragment, nodeUniforms, {});
+    const sleeves = [].concat(...view.arcs.map((arc, id) => this.junctionLines(arc, id)));
     const parts = [
       [this.scene, tubes, this.tubeMaterial(this.arcTable, {}), 0, THREE.Mesh],
       [this.scene, nodes, nodeMaterial, 1, THREE.Points],
       [this.numberScene, tubes, tubeNumbers, 20, THREE.Mesh],
       [this.numberScene, nodes, nodeNumbers, 21, THREE.Points]
-    ].map(([scene, geometry, material, order, Kind]) =>
+    ].concat(sleeves.length === 0 ? [] : [
+      [this.scene, this.tubeGeometry(sleeves, 1.2 * radius, 8, () => 0), this.tubeMaterial(this.junctionTable, {}), 0,
+       THREE.Mesh]
+    ]).map(([scene, geometry, material, order, Kind]) =>
       ({scene, object: this.add(scene, geometry, material, order, Kind)}));
     // What is pointed at is the graph rather than the surface before it.
     parts[2].object.onBeforeRender = renderer => renderer.clearDepth();
     return parts;
+  }
+
+  junctionLines(arc, id) {
+    return partsInJunctions(arc).map(points => ({points, isClosed: false, id}));
+  }
+
+  // The value of an arc at a share of its points: on a skeleton, the way along the lines.
+  valueOnTube(arc, t) {
+    const {polyline, junctions} = this.view.arcs[arc];
+    if (!junctions)
+      return this.view.value(arc, t);
+    const ways = waysAlong(polyline), last = ways.length - 1, way = ways[Math.round(t * last)];
+    return Math.min(this.view.lower(arc).value + way, this.view.upper(arc).value + ways[last] - way);
   }
 
   nodeGeometry(view) {
@@ -197,7 +238,11 @@ class Scene {
 
   setTubeColors() {
     const isByArcs = this.coloring === "arcs";
-    this.view.arcs.forEach((_, i) => this.arcTable.setColor(i, isByArcs ? this.arcColors[i] : this.lineColor));
+    this.view.arcs.forEach((_, i) => {
+      this.arcTable.setColor(i, isByArcs ? this.arcColors[i] : this.lineColor);
+      this.junctionTable.setColor(i, this.junctionColor);
+    });
+    this.showLayers();
     this.requestDrawing(true);
   }
 
@@ -217,6 +262,8 @@ class Scene {
   // The colours that go with the background of the page.
   setTheme(theme) {
     this.lineColor = theme.line;
+    this.junctionColor = theme.junction;
+    this.ballColor.setRGB(...theme.contour);
     this.dimColor.setRGB(...theme.dim);
     this.outline.setRGB(...theme.outline);
     this.polylines.forEach(({id}) => {
@@ -232,10 +279,7 @@ class Scene {
 
   setOpacity(opacity) {
     this.surfaceUniforms.opacity.value = opacity;
-    this.surfaceLayers.forEach(layer => {
-      layer.visible = opacity > 0;
-    });
-    this.requestDrawing();
+    this.setLayers(this.layers);
   }
 
   setLevelLines(count) {
@@ -249,7 +293,18 @@ class Scene {
     this.requestDrawing();
   }
 
+  get isSurfaceSeen() {
+    return this.layers.surface && this.surfaceUniforms.opacity.value > 0;
+  }
+
+  // Lines without a surface have the colors that it would have.
   showLayers() {
+    this.surfaceLayers.concat(this.surfaceNumbers).forEach(layer => {
+      layer.visible = this.isSurfaceSeen;
+    });
+    this.graph.slice(0, 1).forEach(({object}) => {
+      object.material.uniforms.isValueShown.value = !this.layers.surface && this.coloring === "field" ? 1 : 0;
+    });
     this.graph.concat(this.litArc).forEach(({object}) => {
       object.visible = this.layers.graph;
     });
@@ -264,10 +319,13 @@ class Scene {
     const light = arc => isArcLit ? (arc === target.arc ? lit : dimmed) : unlit;
     this.placeTable.setLight(place => light(this.view.placeOf(place)));
     this.arcTable.setLight(light);
+    this.junctionTable.setLight(light);
     const arc = isArcLit ? this.view.arcs[target.arc] : null, ends = isArcLit ? [arc.source, arc.target] : [];
     this.remove(this.litArc);
     const lines = isArcLit ? [{points: arc.polyline, isClosed: false, id: 0}] : [];
-    this.litArc = this.makeShiningTubes(lines, 1.3 * this.tubeRadius, this.litTable, 14);
+    const sleeves = isArcLit ? this.junctionLines(arc, target.arc) : [];
+    this.litArc = this.makeShiningTubes(lines, 1.3 * this.tubeRadius, this.litTable, 14).concat(
+      this.makeShiningTubes(sleeves, 1.5 * this.tubeRadius, this.junctionTable, 16));
     this.showLayers();
     this.nodeTable.setLight(node => ends.includes(node) || (target && target.node === node) ? lit : unlit);
     this.requestDrawing(true);
@@ -334,13 +392,14 @@ class Scene {
     this.renderer.render(this.scene, this.eye.camera);
   }
 
-  // What is at a place of the canvas, in pixels of the page: {arc}, {node}, or null.
+  // What is at a place of the canvas, in pixels of the page: {arc}, {node}, or null. Lines alone are thin: near is
+  // enough.
   pick(x, y) {
     if (!this.width || x < 0 || y < 0 || x >= this.width || y >= this.height)
       return null;
-    const isGraphSeen = this.layers.graph && this.surfaceUniforms.opacity.value < 0.97;
+    const isGraphSeen = this.layers.graph && !(this.isSurfaceSeen && this.surfaceUniforms.opacity.value >= 0.97);
     if (this.areNumbersOld) {
-      this.graph.slice(2).forEach(({object}) => {
+      this.graph.filter(({scene}) => scene === this.numberScene).forEach(({object}) => {
         object.visible = isGraphSeen;
       });
       const color = this.renderer.getClearColor(new THREE.Color()).clone(), alpha = this.renderer.getClearAlpha();
@@ -352,10 +411,27 @@ class Scene {
       this.renderer.setClearColor(color, alpha);
       this.areNumbersOld = false;
     }
-    const pixel = new Uint8Array(4);
+    const reach = this.isSurfaceSeen ? 0 : 8, width = 2 * reach + 1, pixels = new Uint8Array(4 * width * width);
     const row = this.height - 1 - Math.floor(y);
-    this.renderer.readRenderTargetPixels(this.numberTarget, Math.floor(x), row, 1, 1, pixel);
-    return this.targetOfNumber(65536 * pixel[0] + 256 * pixel[1] + pixel[2]);
+    this.renderer.readRenderTargetPixels(this.numberTarget, Math.floor(x) - reach, row - reach, width, width, pixels);
+    let number = 0, least = Infinity;
+    for (let i = 0; i < width * width; ++i) {
+      const found = 65536 * pixels[4 * i] + 256 * pixels[4 * i + 1] + pixels[4 * i + 2];
+      const distance = Math.hypot(i % width - reach, Math.floor(i / width) - reach);
+      if (found > 0 && distance < least) {
+        least = distance;
+        number = found;
+      }
+    }
+    return this.targetOfNumber(number);
+  }
+
+  // The place of a line of a skeleton that is seen nearest to a place of the canvas.
+  placeNear(number, x, y) {
+    const {polyline} = this.view.arcs[number], points = [];
+    for (let i = 0; i < polyline.length; i += 3)
+      points.push(this.project(polyline.slice(i, i + 3)));
+    return nearestPlace(points, waysAlong(polyline), [x, y]);
   }
 
   targetOfNumber(number) {

@@ -140,6 +140,19 @@ const shaders = {
     varying float vNumber;
     ${shaderParts.texel}
     void main() { gl_FragColor = vec4(numberToColor(vNumber + firstNumber), 1.0); }`,
+  ballVertex: `
+    ${shaderParts.eye}
+    void main() { lookFrom(position); }`,
+  ballFragment: `
+    uniform vec3 color;
+    varying vec3 vNormal;
+    varying vec3 vToEye;
+    void main() {
+      float facing = dot(normalize(vNormal), normalize(vToEye));
+      float r = sqrt(max(0.0, 1.0 - facing * facing));
+      float pixelsToOutline = (1.0 - r) / max(fwidth(r), 1e-6);
+      gl_FragColor = vec4(color, mix(0.9, 0.16, smoothstep(0.8, 2.2, pixelsToOutline)));
+    }`,
   nodeVertex: `
     attribute float number;
     uniform sampler2D colors;

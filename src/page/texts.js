@@ -42,7 +42,7 @@ function showFailure(message) {
 const meaningsOfKinds = {
   minimum: "a contour begins", saddle: "contours join or split", maximum: "a contour ends",
   "degree-two": "a contour goes on", isolated: "a point alone",
-  end: "a line ends", junction: "lines meet", loop: "a line comes back"
+  end: "a line ends", junction: "lines meet, gray near it", loop: "a line comes back"
 };
 
 // What the page does not show, as it would be too much.

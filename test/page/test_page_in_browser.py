@@ -23,6 +23,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 program = pathlib.Path(sys.argv[1]).resolve()
+neuron = pathlib.Path(__file__).resolve().parents[2] / "examples" / "Reeb_graph" / "data" / "neuron.off"
 folder = pathlib.Path(sys.argv[2]).resolve()
 browser = None
 
@@ -478,19 +479,55 @@ def test_removal():
     assert len(set(picture())) > 200
 
 
+def assert_balls_follow(data):
+    """Where a line is pointed at, in space and in the plane, is the ball there; in junctions the facts say so."""
+    facts, arcs, nodes = browser.find_element(By.ID, "facts"), data["graph"]["arcs"], data["graph"]["nodes"]
+    are_in_junctions = set()
+    for number, arc in enumerate(arcs):
+        last = len(arc["junctions"]) - 1
+        for i in {1, (last + 1) // 2, last} - {0}:
+            point = arc["polyline"][3 * i:3 * i + 3]
+            mouse("mouseMoved", *on_canvas(point))
+            if state()["pointed"] != {"arc": number}:
+                continue
+            ball = state()["ball"]
+            step = max(math.dist(point, arc["polyline"][k:k + 3]) for k in (3 * i - 3, 3 * i + 3))
+            assert math.dist(ball["point"], point) < 1.1 * step, (number, i)
+            assert ball["inscribedRadius"] in arc["inscribed_radii"][i - 1:i + 2]
+            assert (ball["junction"] is None) == ("the junction at point" not in facts.text), facts.text
+            assert "radius of the ball" in facts.text
+            are_in_junctions.add(ball["junction"] is not None)
+    assert are_in_junctions == {False, True}
+    number = max(range(len(arcs)), key=lambda k: arcs[k]["length"])
+    for place in (0.2, 0.5, 0.7):
+        mouse("mouseMoved", *browser.execute_script("return window.reebGraphPage.whereAtPlace(...arguments)", number, place))
+        assert state()["pointed"] == {"arc": number} and abs(state()["ball"]["place"] - place) < 0.1
+    node = next(k for k, node in enumerate(nodes) if node["kind"] == "junction")
+    mouse("mouseMoved", *on_canvas(nodes[node]["point"]))
+    assert state()["pointed"] == {"node": node} and math.dist(state()["ball"]["point"], nodes[node]["point"]) < 1e-6
+    before = picture()
+    mouse("mouseMoved", 2, 2)
+    assert state()["ball"] is None and difference(before, picture()) > 30
+
+
 def test_skeleton():
-    """What skeleton shows: its own graph, as in its report, in space and in the plane, and pieces around its lines."""
+    """What skeleton shows: its own graph alone, as in its report, in space and in the plane; balls; and then the surface."""
     run("skeleton", "torus.off", "--html", "skeleton.html", "--unit", "mm")
     load("skeleton.html")
     data = data_of_page()
     nodes, arcs, known = data["graph"]["nodes"], data["graph"]["arcs"], data["skeleton"]
     assert len(browser.find_elements(By.CSS_SELECTOR, "#drawing .node")) == len(nodes)
     assert len(browser.find_elements(By.CSS_SELECTOR, "#drawing path.arc")) == len(arcs) == known["arcs"]
-    assert len(set(picture())) > 200 and browser.find_element(By.ID, "show_graph").is_selected()
+    assert browser.find_element(By.ID, "show_graph").is_selected() and state()["coloring"] == "arcs"
+    alone, surface = picture(), browser.find_element(By.ID, "show_surface")
+    assert 0.003 < sum(pixel >= 0 for pixel in alone) / len(alone) < 0.1 and not surface.is_selected()
+    surface.click()
+    assert sum(pixel >= 0 for pixel in picture()) > 0.15 * len(alone)
+    surface.click()
+    assert picture() == alone
     summary = browser.find_element(By.ID, "summary").text
     for name in ("ends", "junctions", "arcs", "loops"):
         assert any(f"{known[name]} {noun}" in summary for noun in (name, name[:-1])), (summary, name)
-    assert not browser.find_element(By.ID, "place_label").is_displayed()
     before = picture()
     number = max(range(len(arcs)), key=lambda k: arcs[k]["length"])
     line = arcs[number]["polyline"]
@@ -501,9 +538,17 @@ def test_skeleton():
     assert {"arc": number} in pointed, pointed
     focus("drawing")
     press("n")
-    assert state()["kept"] == {"arc": 0} and state()["contour"] is None and difference(before, picture()) > 500
+    assert state()["kept"] == {"arc": 0} and state()["contour"] is None and difference(before, picture()) > 50
     assert "least radius" in browser.find_element(By.ID, "facts").text and "mm" in browser.find_element(By.ID, "facts").text
+    place, way = state()["place"], state()["ball"]["way"]
+    press(Keys.PAGE_UP)
+    assert abs(state()["place"] - place - 0.05) < 1e-6 and state()["ball"]["way"] > way
+    assert "inscribed radius" in browser.find_element(By.ID, "place_output").text
     press(Keys.ESCAPE)
+    assert state()["ball"] is None and picture() == before
+    run("skeleton", neuron, "--html", "neuron.html")
+    load("neuron.html")
+    assert_balls_follow(data_of_page())
 
 
 def test_wide_drawing():

@@ -101,6 +101,57 @@ const tests = {
     assert.ok(contour.points.length >= 6 && contour.points.every(isFinite));
   },
 
+  // By definition: no vertex is in a ball, and one is as near to it as edges are long. Places are found by walking.
+  "balls of skeletons are in the surface"() {
+    run("skeleton", path.join(__dirname, "../../examples/Reeb_graph/data/neuron.off"), "--html", "skeleton.html");
+    const data = page.readPageData(page.dataOfPage(path.join(folder, "skeleton.html")));
+    const view = new page.GraphView(data, 0), {positions, triangles} = data.surface;
+    const longestEdge = triangles.reduce((longest, v, k) => Math.max(longest, Math.hypot(...[0, 1, 2].map(j =>
+      positions[3 * v + j] - positions[3 * triangles[k % 3 === 2 ? k - 2 : k + 1] + j]))), 0);
+    let numberInJunctions = 0;
+    view.arcs.forEach((arc, number) => {
+      const ways = page.waysAlong(arc.polyline), length = ways[ways.length - 1];
+      assert.ok(Math.abs(length - arc.length) < 1e-5 * length);
+      for (let place = 0; place <= 1; place += 1 / 64) {
+        const {point, radius, inscribedRadius, way, value, junction} = view.ballAt(number, place);
+        const i = ways.indexOf(way), end = ways.findIndex((w, j) => j > 0 && w >= place * length);
+        assert.ok(ways.every(w => Math.abs(w - place * length) > Math.abs(way - place * length) - 1e-9));
+        assert.deepStrictEqual(point, arc.polyline.slice(3 * i, 3 * i + 3));
+        let nearest = Infinity;
+        for (let v = 0; v < positions.length; v += 3)
+          nearest = Math.min(nearest, Math.hypot(...point.map((x, j) => x - positions[v + j])));
+        assert.ok(inscribedRadius < nearest + 1e-6 && inscribedRadius > nearest - longestEdge, number + " " + place);
+        assert.ok(radius >= inscribedRadius);
+        assert.ok(value <= view.lower(number).value + way + 1e-9);
+        assert.ok(value <= view.upper(number).value + length - way + 1e-9);
+        assert.ok(junction === null || [arc.source, arc.target].includes(junction));
+        assert.strictEqual(junction !== null, arc.junctions[end - 1] === 1);
+      }
+      numberInJunctions += page.partsInJunctions(arc).reduce((sum, part) => sum + part.length / 3 - 1, 0);
+    });
+    const flags = [].concat(...view.arcs.map(arc => arc.junctions)).filter(isInJunction => isInJunction).length;
+    assert.ok(flags > 0 && flags === numberInJunctions);
+    data.graph.nodes.forEach((node, i) => {
+      assert.ok(Math.hypot(...view.ballAtNode(i).point.map((x, j) => x - node.point[j])) < 1e-6);
+    });
+  },
+
+  "the nearest place of a line"() {
+    const random = meshes.randomNumbers(3), points = [...Array(8)].map(() => [random(), random()]);
+    const ways = page.waysAlong([].concat(...points.map(([x, y]) => [x, y, 0])));
+    for (let k = 0; k < 50; ++k) {
+      const pointer = [2 * random() - 0.5, 2 * random() - 0.5];
+      const distance = place => {
+        const {end, share} = page.locate(ways, place);
+        const [a, b] = [points[end - 1], points[end]];
+        return Math.hypot(...pointer.map((x, i) => x - a[i] - share * (b[i] - a[i])));
+      };
+      const least = Math.min(...[...Array(2001)].map((_, i) => distance(i / 2000)));
+      assert.ok(distance(page.nearestPlace(points, ways, pointer)) < least + 1e-9);
+    }
+    assert.strictEqual(page.nearestPlace([[1, 1], [1, 1]], [0, 0], [3, 4]), 0);
+  },
+
   "precomputed contours are used where there is no chain"() {
     const contours = [0.1, 0.2, 0.8].map(value => ({value, isClosed: true, points: []}));
     const graph = {

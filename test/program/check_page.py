@@ -111,6 +111,13 @@ def check_skeleton(data, surface):
         farthest = max(min(low + step, high + steps[-1] - step) for step in steps)
         check(low <= high and abs(max(heights) - farthest) < 1e-5 * (farthest + steps[-1]), "the height of an arc")
         check(0 <= arc["least_radius"] <= arc["radius"] <= arc["greatest_radius"], "radii")
+        check(len(arc["radii"]) == len(arc["inscribed_radii"]) == len(points) == len(arc["junctions"]) + 1, "points of an arc")
+        check(all(0 <= b <= a for a, b in zip(arc["radii"], arc["inscribed_radii"])), "the radii of a point")
+        outside = [i for i, is_in_junction in enumerate(arc["junctions"]) if not is_in_junction]
+        check(set(arc["junctions"]) <= {0, 1} and (not outside or outside == list(range(outside[0], outside[-1] + 1))),
+              "what lies in junctions is not at the ends of an arc")
+        for end, segments in ((0, arc["junctions"][:1]), (1, arc["junctions"][-1:])):
+            check(not any(segments) or nodes[ends[end]]["kind"] == "junction" or not outside, "a junction without a node")
     kinds = ["end" if degree == 1 else "loop" if degree == 2 else "junction" for degree in degrees]
     check(kinds == [node["kind"] for node in nodes], "the kinds of nodes")
     components = sum(root(i) == i for i in range(len(nodes)))
