@@ -430,7 +430,7 @@ private:
     Any_graph graph;
     Report_visitor visitor(report);
     Progress_bar progress_bar("graph");
-    const Timed_computation timed(report);
+    const Timed_step timed(report, "compute");
     const auto compute = [&](const auto& np) {
       kind_.compute(graph, np.visitor(std::ref(visitor)).callback(std::ref(progress_bar)));
     };

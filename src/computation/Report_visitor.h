@@ -48,25 +48,6 @@ private:
   Stopwatch stopwatch_;
 };
 
-// As long as it lives, a graph is computed: its seconds go into the report, before those of the stages.
-class Timed_computation
-{
-public:
-  explicit Timed_computation(Report& report) : report_(report), place_(report.seconds.size()) {}
-  Timed_computation(const Timed_computation&) = delete;
-  Timed_computation& operator=(const Timed_computation&) = delete;
-  ~Timed_computation()
-  {
-    report_.seconds.emplace(report_.seconds.begin() + static_cast<std::ptrdiff_t>(place_), "compute",
-                            stopwatch_.seconds());
-  }
-
-private:
-  Report& report_;
-  std::size_t place_;
-  Stopwatch stopwatch_;
-};
-
 template <class AnyGraph>
 Graph_counts count_graph(const AnyGraph& graph, std::size_t number_of_components)
 {

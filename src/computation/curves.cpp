@@ -43,49 +43,31 @@ CGAL::Reeb_graph::Interpolating_visitor<Surface> make_visitor(const std::vector<
   return visitor;
 }
 
-void add_curves(const Surface& surface, const std::vector<Curve>& curves, Cut_result& result)
+// Cuts the surface by cut(curves, named parameters, a function that adds those of CGAL to them, result).
+template <class Cut>
+Cut_result cut_surface(Surface& surface,
+                       const std::vector<Any_vertex_property>& properties,
+                       bool is_cut_open,
+                       const std::function<bool(std::size_t)>& face_count_callback,
+                       const Cut& cut)
 {
-  for(const Curve& curve : curves)
-    result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, curve));
-  for(const Surface::Face_index f : surface.faces())
-    result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);
-}
-
-std::vector<Curve> find_curves(Surface& surface,
-                               Scalar_map scalar_map,
-                               const std::vector<Any_vertex_property>& properties,
-                               const Cut_options& options,
-                               const std::function<bool(std::size_t)>& face_count_callback,
-                               Patch_map patch_map)
-{
-  namespace parameters = CGAL::parameters;
+  Cut_result result;
+  result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
   std::vector<Curve> curves;
-  const auto visitor = make_visitor(properties);
   Progress_bar progress_bar("cut");
   const auto tell = [&](std::size_t number_of_faces) {
     progress_bar.clear();
     return face_count_callback(number_of_faces);
   };
-  const auto own = parameters::face_count_callback(tell).cut_open(options.is_cut_open);
   const auto with_maps = [&](const auto& np) {
-    return np.face_patch_map(patch_map).visitor(visitor).callback(std::ref(progress_bar));
+    return np.face_patch_map(result.patch_map).visitor(make_visitor(properties)).callback(std::ref(progress_bar));
   };
-  switch(options.type)
-  {
-  case Curves_type::CUTTING_SYSTEM:
-    CGAL::Reeb_graph::cutting_system(surface, scalar_map, std::back_inserter(curves), with_maps(own));
-    break;
-  case Curves_type::PANTS:
-    CGAL::Reeb_graph::pants_decomposition(surface, scalar_map, std::back_inserter(curves), with_maps(own));
-    break;
-  case Curves_type::BRANCH:
-    CGAL::Reeb_graph::branch_curves(
-      surface, scalar_map, std::back_inserter(curves),
-      with_maps(own.persistence_threshold(options.persistence.value_or(0))).area_threshold(options.area.value_or(0)));
-    break;
-  default: break; // They are no curves of the graph.
-  }
-  return curves;
+  cut(curves, CGAL::parameters::face_count_callback(tell).cut_open(is_cut_open), with_maps, result);
+  for(const Curve& curve : curves)
+    result.polylines.push_back(CGAL::Reeb_graph::polyline_of_curve(surface, curve));
+  for(const Surface::Face_index f : surface.faces())
+    result.number_of_patches = (std::max)(result.number_of_patches, std::size_t(result.patch_map[f]) + 1);
+  return result;
 }
 
 } // namespace
@@ -96,17 +78,26 @@ Cut_result cut_along_curves(Surface& surface,
                             const Cut_options& options,
                             const std::function<bool(std::size_t)>& face_count_callback)
 {
-  Cut_result result;
+  CGAL::Reeb_graph::Border_level_changes border_changes;
   if(options.borders.value_or(CGAL::Reeb_graph::Borders::MAKE_LEVEL) == CGAL::Reeb_graph::Borders::MAKE_LEVEL)
   {
     Progress_bar progress_bar("borders");
-    result.border_changes =
+    border_changes =
       CGAL::Reeb_graph::make_borders_level(surface, scalar_map, CGAL::parameters::callback(std::ref(progress_bar)));
   }
-  result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
-  add_curves(surface, find_curves(surface, scalar_map, properties, options, face_count_callback, result.patch_map),
-             result);
-  return result;
+  const auto cut = [&](std::vector<Curve>& curves, const auto& np, const auto& with_maps, Cut_result& result) {
+    const auto inserter = std::back_inserter(curves);
+    result.border_changes = border_changes;
+    if(options.type == Curves_type::CUTTING_SYSTEM)
+      CGAL::Reeb_graph::cutting_system(surface, scalar_map, inserter, with_maps(np));
+    else if(options.type == Curves_type::PANTS)
+      CGAL::Reeb_graph::pants_decomposition(surface, scalar_map, inserter, with_maps(np));
+    else
+      CGAL::Reeb_graph::branch_curves(
+        surface, scalar_map, inserter,
+        with_maps(np.persistence_threshold(options.persistence.value_or(0))).area_threshold(options.area.value_or(0)));
+  };
+  return cut_surface(surface, properties, options.is_cut_open, face_count_callback, cut);
 }
 
 namespace {
@@ -183,26 +174,14 @@ Cut_result cut_along_levels(Surface& surface,
                             bool is_cut_open,
                             const std::function<bool(std::size_t)>& face_count_callback)
 {
-  Cut_result result;
-  result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
-  result.band_map = surface.add_property_map<Surface::Face_index, int>("f:band", 0).first;
-  std::vector<Curve> curves;
-  Progress_bar progress_bar("cut");
-  const auto tell = [&](std::size_t number_of_faces) {
-    progress_bar.clear();
-    return face_count_callback(number_of_faces);
+  const auto cut = [&](std::vector<Curve>& curves, const auto& np, const auto& with_maps, Cut_result& result) {
+    result.band_map = surface.add_property_map<Surface::Face_index, int>("f:band", 0).first;
+    result.level_report = CGAL::Reeb_graph::cut_along_levels(surface, scalar_map, levels, std::back_inserter(curves),
+                                                             with_maps(np.face_band_map(*result.band_map)));
+    for(const Curve& curve : curves)
+      result.level_curves.push_back(make_level_curve(surface, scalar_map, curve));
   };
-  result.level_report = CGAL::Reeb_graph::cut_along_levels(surface, scalar_map, levels, std::back_inserter(curves),
-                                                           CGAL::parameters::cut_open(is_cut_open)
-                                                             .face_count_callback(tell)
-                                                             .face_band_map(*result.band_map)
-                                                             .face_patch_map(result.patch_map)
-                                                             .visitor(make_visitor(properties))
-                                                             .callback(std::ref(progress_bar)));
-  add_curves(surface, curves, result);
-  for(const Curve& curve : curves)
-    result.level_curves.push_back(make_level_curve(surface, scalar_map, curve));
-  return result;
+  return cut_surface(surface, properties, is_cut_open, face_count_callback, cut);
 }
 
 std::vector<Contour> contours_of_levels(const Cut_result& result, Scalar_map scalar_map, Mesh_graph& graph)
@@ -277,20 +256,16 @@ std::vector<std::string> notes_on_levels(const std::vector<double>& levels,
 
 Cut_result cut_to_disks(Surface& surface, std::vector<Any_vertex_property> properties)
 {
-  Cut_result result;
-  result.patch_map = surface.add_property_map<Surface::Face_index, int>("f:patch", 0).first;
-  result.original_map = surface.add_property_map<Surface::Vertex_index, std::int32_t>("v:original", 0).first;
+  const auto original_map = surface.add_property_map<Surface::Vertex_index, std::int32_t>("v:original", 0).first;
   for(const Surface::Vertex_index v : surface.vertices())
-    (*result.original_map)[v] = static_cast<std::int32_t>(v.idx());
-  properties.emplace_back(*result.original_map);
-  std::vector<Curve> curves;
-  Progress_bar progress_bar("cut");
-  CGAL::Reeb_graph::cut_to_disks(surface, std::back_inserter(curves),
-                                 CGAL::parameters::face_patch_map(result.patch_map)
-                                   .visitor(make_visitor(properties))
-                                   .callback(std::ref(progress_bar)));
-  add_curves(surface, curves, result);
-  return result;
+    original_map[v] = static_cast<std::int32_t>(v.idx());
+  properties.emplace_back(original_map);
+  const auto cut = [&](std::vector<Curve>& curves, const auto& np, const auto& with_maps, Cut_result& result) {
+    result.original_map = original_map;
+    CGAL::Reeb_graph::cut_to_disks(surface, std::back_inserter(curves), with_maps(np));
+  };
+  return cut_surface(
+    surface, properties, true, [](std::size_t) { return true; }, cut);
 }
 
 } // namespace reeb_graph_program

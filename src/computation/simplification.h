@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 
+#include <boost/core/noncopyable.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <functional>
@@ -47,15 +48,13 @@ double threshold_in_units(const Simplification_options& options, const Surface& 
 
 // A graph, `Graph` or `Complex_graph`, and, if anything is removed from it, the simplified graph.
 template <class AnyGraph>
-class Simplified_graph_of
+class Simplified_graph_of : boost::noncopyable
 {
 public:
   // The threshold is that of threshold_in_units(); if it is NaN, the graph suggests one. `given` has to outlive this
   // object.
   Simplified_graph_of(const AnyGraph& given, const Simplification_options& options, double threshold);
   Simplified_graph_of(const AnyGraph&&, const Simplification_options&, double) = delete;
-  Simplified_graph_of(const Simplified_graph_of&) = delete;
-  Simplified_graph_of& operator=(const Simplified_graph_of&) = delete;
 
   // The simplified graph if there is one, else the given one.
   const AnyGraph& result() const { return simplification_ ? simplified_ : given_; }

@@ -15,50 +15,23 @@
 #include <CGAL/Reeb_graph/skeleton/find_branch_faces.h>
 #include <CGAL/Reeb_graph/skeleton/skeleton_paths.h>
 
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <queue>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
-namespace {
-// A point and its distance along a line, of which the nearest comes first out of a queue.
-typedef std::pair<double, std::size_t> Way;
-
-// Finds distances along lines from a point, by the ways from each point to its neighbors, and returns what is reached: what
-// had a smaller mark than this one, and gets it.
-std::vector<std::size_t> spread(const std::vector<std::vector<Way>>& ways,
-                                std::size_t from,
-                                std::vector<double>& distances,
-                                std::vector<int>& marks,
-                                int mark)
-{
-  std::vector<std::size_t> reached;
-  std::priority_queue<Way, std::vector<Way>, std::greater<>> queue;
-  for(queue.emplace(0, from); !queue.empty();)
-  {
-    const auto [length, point] = queue.top();
-    queue.pop();
-    if(marks[point] == mark)
-      continue;
-    marks[point] = mark;
-    distances[point] = length;
-    reached.push_back(point);
-    for(const auto& [more, neighbor] : ways[point])
-      queue.emplace(length + more, neighbor);
-  }
-  return reached;
-}
-
-} // namespace
-
 std::vector<std::size_t> points_at(const Skeleton& skeleton, const Skeleton_place& place)
 {
   const auto& graph = skeleton.graph;
@@ -191,26 +164,36 @@ Skeleton_numbers numbers_of(const Skeleton& skeleton)
 std::vector<double> distances_along_lines(const Skeleton& skeleton)
 {
   const auto& graph = skeleton.graph;
-  std::vector<std::vector<Way>> ways(num_vertices(graph));
-  for(const auto e : CGAL::make_range(edges(graph)))
+  typedef boost::graph_traits<std::decay_t<decltype(graph)>>::edge_descriptor Edge;
+  const auto length = [&](Edge e) {
+    return CGAL::Reeb_graph::internal::distance_between(graph[source(e, graph)].point, graph[target(e, graph)].point);
+  };
+  const auto index_map = get(boost::vertex_index, graph);
+  std::vector<double> distances(num_vertices(graph));
+  const auto find_distances_from = [&](const std::vector<std::size_t>& points) {
+    boost::dijkstra_shortest_paths(graph, points.begin(), points.end(), boost::dummy_property_map(),
+                                   boost::make_iterator_property_map(distances.begin(), index_map),
+                                   boost::make_function_property_map<Edge, double>(length), index_map, std::less<>(),
+                                   std::plus<>(), std::numeric_limits<double>::infinity(), 0.,
+                                   boost::dijkstra_visitor<>(),
+                                   boost::make_two_bit_color_map(distances.size(), index_map));
+  };
+  std::vector<std::size_t> components(distances.size());
+  std::vector<std::size_t> firsts(
+    boost::connected_components(graph, boost::make_iterator_property_map(components.begin(), index_map)));
+  for(std::size_t v = distances.size(); v-- > 0;)
+    firsts[components[v]] = v;
+  for(auto arc = skeleton.arcs.rbegin(); arc != skeleton.arcs.rend(); ++arc)
+    firsts[components[arc->front()]] = arc->front();
+  find_distances_from(firsts);
+  std::vector<std::size_t> ends = firsts; // the farthest ones
+  for(std::size_t v = 0; v != distances.size(); ++v)
   {
-    const std::size_t a = source(e, graph), b = target(e, graph);
-    const double length = CGAL::Reeb_graph::internal::distance_between(graph[a].point, graph[b].point);
-    ways[a].emplace_back(length, b);
-    ways[b].emplace_back(length, a);
+    std::size_t& end = ends[components[v]];
+    if(out_degree(v, graph) == 1 && (out_degree(end, graph) != 1 || distances[v] >= distances[end]))
+      end = v;
   }
-  std::vector<double> distances(ways.size(), 0);
-  std::vector<int> marks(ways.size(), 0);
-  for(const auto& arc : skeleton.arcs)
-  {
-    if(marks[arc.front()] != 0)
-      continue;
-    const std::vector<std::size_t> component = spread(ways, arc.front(), distances, marks, 1);
-    const auto end = std::find_if(component.rbegin(), component.rend(), // the farthest one
-                                  [&](std::size_t point) { return ways[point].size() == 1; });
-    if(end != component.rend())
-      spread(ways, *end, distances, marks, 2);
-  }
+  find_distances_from(ends);
   return distances;
 }
 
