@@ -27,6 +27,7 @@
 #include <boost/mpl/list.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -666,6 +667,46 @@ BOOST_AUTO_TEST_CASE(random_values_and_small_meshes_give_skeletons)
 }
 
 namespace {
+// A ball with five spikes, or a tube with four, whose heights over it are given as multiples of their radius.
+Tubes spiked(bool is_ball, double radius, double height)
+{
+  Tubes sample;
+  sample.tubes = {{{0, 0, is_ball ? 0. : -4.}, {0, 0, is_ball ? 0.01 : 4.}, 1, 1}};
+  for(int i = 0; i != (is_ball ? 5 : 4); ++i)
+  {
+    const double length = 1 + (height - 1) * radius, turn = is_ball ? 1.2566 * i + 0.2 : 1.1 * i;
+    const double steep = !is_ball ? 0 : i % 2 == 0 ? -0.53 : 0.53, flat = length * std::sqrt(1 - steep * steep);
+    const double z = is_ball ? 0 : 1.9 * i - 3;
+    const tube_samples::Point top = {flat * std::cos(turn), flat * std::sin(turn), z + length * steep};
+    sample.tubes.push_back({{0, 0, z}, top, radius, radius});
+  }
+  sample.cell_size = 0.09;
+  return sample;
+}
+} // namespace
+
+// Those that protrude by less than their radius are bumps.
+BOOST_AUTO_TEST_CASE(spikes_are_ends)
+{
+  const std::vector<std::array<double, 2>> spikes = {{0.2, 0.25}, {0.35, 0.75}, {0.35, 3}, {0.2, 5}, {0.35, 5}};
+  for(const bool is_ball : {false, true})
+    for(const auto& [radius, height] : spikes)
+      for(const double noise : {0., 0.01, 0.03})
+        BOOST_TEST_CONTEXT((is_ball ? "ball" : "tube")
+                           << ", radius " << radius << ", height " << height << ", noise " << noise)
+        {
+          const bool are_bumps = height < 1;
+          if(is_ball && are_bumps) // has no axis
+            continue;
+          const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(spiked(is_ball, radius, height), noise, 7));
+          Curve_skeleton<Surface_mesh> skeleton;
+          const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
+          check(mesh, skeleton, known);
+          BOOST_TEST(known.number_of_ends == (is_ball ? 5u : are_bumps ? 2u : 6u));
+        }
+}
+
+namespace {
 typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Exact_mesh;
 
 // A sphere or a torus, with vertices that are moved, some onto others or to few places, and edges that are flipped, some
@@ -736,6 +777,27 @@ BOOST_AUTO_TEST_CASE(self_intersections_are_those_that_cgal_finds)
     }
   BOOST_TEST(number_of_crossed > number_of_seeds / 5);
   BOOST_TEST(number_of_crossed < number_of_seeds * 4 / 5);
+}
+
+// Surfaces that intersect themselves, and those that are flat: two sheets on each other, without volume.
+BOOST_AUTO_TEST_CASE(moving_lines_makes_no_certificate_worse)
+{
+  for(std::size_t seed = 0; seed != 300; ++seed)
+    for(const bool is_flat : {false, true})
+      BOOST_TEST_CONTEXT("seed " << seed << (is_flat ? ", flat" : ""))
+      {
+        random_meshes::Random random(seed);
+        auto mesh = crumpled_mesh(random);
+        for(const auto v : mesh.vertices())
+          if(is_flat)
+            mesh.point(v) = {mesh.point(v).x(), mesh.point(v).y(), 0};
+        Curve_skeleton<Exact_mesh> skeleton;
+        const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton);
+        const Skeleton_certificate before = extract_curve_skeleton(mesh, skeleton, parameters::smooth(0));
+        BOOST_TEST(known.number_of_vertices_outside <= before.number_of_vertices_outside);
+        BOOST_TEST(known.number_of_crossing_edges <= before.number_of_crossing_edges);
+        BOOST_TEST(known.number_of_contractible_loops <= before.number_of_contractible_loops);
+      }
 }
 
 BOOST_AUTO_TEST_CASE(progress_ascends_and_can_be_cancelled)

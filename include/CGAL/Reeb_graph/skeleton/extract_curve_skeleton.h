@@ -164,14 +164,14 @@ void add_component(const Reading& reading,
 /// It is the Reeb graph of the distances from a tip of each connected component, drawn through the centers of contours.
 /// Borders are filled first, each by a fan of triangles around its center, which the mesh does not see: then each is an
 /// end, and holes in the wall of a tube make no cycles. Branches are pruned that stand out less from the trunk than a share of
-/// its radius. What is left has as many cycles as the surface, borders filled, has handles, less those that are hidden
-/// in multi-saddles, which are counted.
+/// its radius, or are shorter than a share of their own. What is left has as many cycles as the surface, borders filled, has
+/// handles, less those that are hidden in multi-saddles, which are counted.
 ///
 /// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. Loops are led
 /// along the surface where they would not wind around a hole, by linking numbers with curves on it. At last, lines are moved
 /// to where the sum of length by distance from the surface is least, with a price on bends; junctions nearer to each
 /// other than the surface are joined, and lines within a quarter of that from where they part. Each step is taken only if the
-/// surface does not meet what it sweeps; where edges cross a component that intersects itself, its lines stay. So no vertex is
+/// surface does not meet what it sweeps; edges that cross a component that intersects itself stay. So no vertex is
 /// outside, no edge crosses a component that does not intersect itself, and no loop can be pulled to a point there. What
 /// remains on others, or where the numbers of the points end, is counted.
 /// Where a border passes a point twice, as at both sides of a slit, it is closed there, and what is left on one line is no end.
@@ -200,10 +200,10 @@ void add_component(const Reading& reading,
 ///                       one that is farthest from the centroid}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{pruning_ratio}
-///     \cgalParamDescription{A branch goes if its persistence is below this share of the radius where it leaves the
-///                           trunk, or if its tip is not farther outside of the ball inscribed there than that. Branches to
-///                           borders stay. 0 prunes nothing. The persistence in a given field is the distance of the
-///                           tip from the node.}
+///     \cgalParamDescription{A branch goes if its persistence is below this share of its own radius where it leaves the
+///                           trunk, or of a quarter of that of the trunk. It also goes if its tip is not farther outside of
+///                           the ball inscribed there than this share of the radius of the trunk. Branches to borders stay.
+///                           0 prunes nothing. The persistence in a given field is the distance of the tip from the node.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.5}
 ///     \cgalParamExtra{use the functions `parameters::pruning_ratio()`}

@@ -37,7 +37,7 @@ protected:
     Line_point point;  // with the closest point of the surface
     double depth = 0;  // the distance from the surface; 0 at a tip
     double pace = 0.5; // of its steps
-    bool is_settled = false, is_outside = false;
+    bool is_settled = false, is_fixed = false;
     std::optional<Mesh::Vertex_index> vertex; // of the surface, at an end, which stays
 
     Surface_place place() const { return {point.point, vertex}; }
@@ -45,9 +45,10 @@ protected:
   typedef std::vector<std::size_t> Numbers; // of beads
   struct Line
   {
-    Numbers beads;          // from node to node; none if it has become a point
-    double length = 0;      // of the chain, as places go
-    std::size_t joined = 0; // the node that it has become
+    Numbers beads;                     // from node to node; none if it has become a point
+    std::array<double, 2> places = {}; // of its ends, on the chain
+    std::size_t joined = 0;            // the node that it has become
+    bool is_fixed = false;
   };
   struct End_of_line
   {
@@ -90,20 +91,43 @@ protected:
     }
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
     {
-      Line& line = lines_.emplace_back();
-      line.length = chains.chains()[chain].length;
-      line.beads.push_back(numbers_.at(lines.ends()[chain][0]));
+      Numbers beads = {numbers_.at(lines.ends()[chain][0])};
       for(const Line_point& point : lines.lines()[chain])
-        line.beads.push_back(add_bead(point));
-      line.beads.push_back(numbers_.at(lines.ends()[chain][1]));
+        beads.push_back(add_bead(point));
+      beads.push_back(numbers_.at(lines.ends()[chain][1]));
+      add_pieces(beads, chains.chains()[chain].length);
     }
-    for(Bead& bead : beads_)
+  }
+
+  // Edges that are not inside, as where the surface intersects itself or has no volume, could go anywhere: they stay, and what
+  // is between them are lines of their own.
+  void add_pieces(const Numbers& beads, double length)
+  {
+    pieces_.emplace_back();
+    const auto place_of = [&](std::size_t i) {
+      return i == 0 ? 0 : i + 1 == beads.size() ? length : beads_[beads[i]].point.place;
+    };
+    for(std::size_t i = 1; i != beads.size(); ++i)
     {
-      bead.is_outside = !bead.vertex && !tree.is_inside(bead.point.point);
-      is_any_wrong_ = is_any_wrong_ || bead.is_outside;
+      const bool is_fixed = is_wrong(beads[i - 1], beads[i]);
+      if(i == 1 || is_fixed != lines_.back().is_fixed)
+      {
+        pieces_.back().push_back(lines_.size());
+        lines_.push_back({{beads[i - 1]}, {place_of(i - 1), 0}, 0, is_fixed});
+      }
+      lines_.back().beads.push_back(beads[i]);
+      lines_.back().places[1] = place_of(i);
+      for(const std::size_t bead : {beads[i - 1], beads[i]})
+        beads_[bead].is_fixed = beads_[bead].is_fixed || is_fixed;
     }
-    is_any_wrong_ = is_any_wrong_
-                 || !std::all_of(lines_.begin(), lines_.end(), [&](const Line& line) { return is_free(line.beads); });
+  }
+
+  bool is_wrong(std::size_t a, std::size_t b) const
+  {
+    const auto is_outside = [&](const Bead& bead) { return !bead.vertex && !tree_.is_inside(bead.point.point); };
+    const Bead &p = beads_[a], &q = beads_[b];
+    return is_outside(p) || is_outside(q) || !is_free({a, b})
+        || (p.vertex && q.vertex && !tree_.is_inside(CGAL::midpoint(p.point.point, q.point.point)));
   }
 
   void find_ends()
@@ -129,9 +153,7 @@ protected:
   // Whether the surface does not meet a triangle of two beads and a place, other than in an end. Balls around beads are free.
   bool is_free(const Bead& a, const Bead& b, const Surface_place& c) const
   {
-    if(a.is_outside || b.is_outside || is_in_ball(b, a, c) || is_in_ball(a, b, c))
-      return true;
-    if(is_any_wrong_ && tree_.is_crossed(a.place(), b.place()))
+    if(is_in_ball(b, a, c) || is_in_ball(a, b, c))
       return true;
     if(a.vertex || b.vertex || c.vertex) // no part of a loop
       return !tree_.is_crossed(a.place(), c) && !tree_.is_crossed(b.place(), c);
@@ -223,7 +245,7 @@ protected:
       const double size = steps[i + 1] - steps[i];
       kept.push_back(dense.size());
       dense.push_back(beads_.size());
-      beads_.push_back(between(line, i, size > 0 ? (step - steps[i]) / size : 0, resampled.length));
+      beads_.push_back(between(line, i, size > 0 ? (step - steps[i]) / size : 0, resampled.places));
     }
     pass(steps.back());
     kept.push_back(dense.size());
@@ -235,7 +257,7 @@ protected:
                  to = dense.begin() + static_cast<std::ptrdiff_t>(kept[k]);
       resampled.beads.insert(resampled.beads.end(), is_free(dense, kept[k - 1], kept[k]) ? to : from + 1, to + 1);
     }
-    if(!is_any_wrong_ && !is_free(resampled.beads)) // Points on an edge are rounded.
+    if(!is_free(resampled.beads)) // Points on an edge are rounded.
       resampled.beads = line;
   }
 
@@ -251,7 +273,7 @@ protected:
     const double way = distance(last.point.point, tip.point.point);
     for(double share = 0.875; share > 0 && length(along) > 0; share -= 0.125)
     {
-      Bead on_way = between(beads, is_last ? i : 0, is_last ? share : 1 - share, line.length), next = on_way;
+      Bead on_way = between(beads, is_last ? i : 0, is_last ? share : 1 - share, line.places), next = on_way;
       next.point.point = last.point.point + share * way / length(along) * along;
       next = make_bead(next.point);
       const double rest = distance(next.point.point, tip.point.point);
@@ -264,22 +286,20 @@ protected:
     }
   }
 
-  double place(const Numbers& line, std::size_t i, double length) const
+  double place(const Numbers& line, std::size_t i, const std::array<double, 2>& of_ends) const
   {
-    return i == 0 ? 0 : i + 1 == line.size() ? length : beads_[line[i]].point.place;
+    return i == 0 ? of_ends[0] : i + 1 == line.size() ? of_ends[1] : beads_[line[i]].point.place;
   }
 
   // A bead between two of a line.
-  Bead between(const Numbers& line, std::size_t i, double t, double length) const
+  Bead between(const Numbers& line, std::size_t i, double t, const std::array<double, 2>& of_ends) const
   {
     const Bead &a = beads_[line[i]], &b = beads_[line[i + 1]];
     Line_point point = a.point;
     point.point = a.point.point + t * (b.point.point - a.point.point);
     point.radius = (1 - t) * a.point.radius + t * b.point.radius;
-    point.place = (1 - t) * place(line, i, length) + t * place(line, i + 1, length);
-    Bead bead = make_bead(point);
-    bead.is_outside = is_any_wrong_ && !tree_.is_inside(point.point);
-    return bead;
+    point.place = (1 - t) * place(line, i, of_ends) + t * place(line, i + 1, of_ends);
+    return make_bead(point);
   }
 
   // Leaves points out that are near to a straight line (D. Douglas and T. Peucker 1973).
@@ -330,12 +350,14 @@ protected:
       nodes[number] = index;
     find_ends();
     for(const auto& [number, ends] : ends_of_nodes_)
-      if(nodes.count(number) == 0)
+      if(nodes.count(number) == 0 && !beads_[number].is_fixed)
         nodes[number] = next++;
     for(const auto& [number, index] : nodes)
       lines.nodes()[index].point = beads_[number].point;
-    lines.lines().resize(lines_.size());
-    lines.ends().resize(lines_.size());
+    for(std::size_t i = pieces_.empty() ? 0 : pieces_.back().back() + 1; i != lines_.size(); ++i)
+      pieces_.push_back({i});
+    lines.lines().resize(pieces_.size());
+    lines.ends().resize(pieces_.size());
     const auto node_of = [&](std::size_t bead) {
       while(joined_.count(bead) != 0)
         bead = joined_.at(bead);
@@ -343,13 +365,11 @@ protected:
     };
     for(const auto& [index, number] : numbers_)
       lines.join(index, node_of(number));
-    for(std::size_t i = 0; i != lines_.size(); ++i)
+    for(std::size_t i = 0; i != pieces_.size(); ++i)
     {
-      if(lines_[i].beads.empty())
-        lines_[i].beads = {lines_[i].joined, lines_[i].joined};
-      else
-        refine(lines_[i], sampling_ratio);
-      const Numbers& beads = lines_[i].beads;
+      Numbers beads;
+      for(const std::size_t piece : pieces_[i])
+        append(lines_[piece], sampling_ratio, beads);
       lines.ends()[i] = {node_of(beads.front()), node_of(beads.back())};
       Skeleton_lines::Line& line = lines.lines()[i];
       const Skeleton_lines::Line before = std::exchange(line, {});
@@ -360,6 +380,15 @@ protected:
           line.back().radius = radius_at(before, line.back().place);
       }
     }
+  }
+
+  void append(Line& line, double sampling_ratio, Numbers& beads)
+  {
+    if(line.beads.empty())
+      line.beads = {line.joined, line.joined};
+    else if(!line.is_fixed)
+      refine(line, sampling_ratio);
+    beads.insert(beads.end(), line.beads.begin() + (beads.empty() ? 0 : 1), line.beads.end());
   }
 
   static double radius_at(const Skeleton_lines::Line& line, double place)
@@ -386,7 +415,7 @@ protected:
       for(std::size_t k = 1; k < pieces && !is_at_tip; ++k)
       {
         refined.push_back(beads_.size());
-        beads_.push_back(between(beads, i, static_cast<double>(k) / static_cast<double>(pieces), line.length));
+        beads_.push_back(between(beads, i, static_cast<double>(k) / static_cast<double>(pieces), line.places));
       }
       refined.push_back(beads[i + 1]);
       line.beads.insert(line.beads.end(), is_free(refined) ? refined.begin() + 1 : refined.end() - 1, refined.end());
@@ -399,10 +428,10 @@ protected:
   const double smooth_, least_depth_;
   std::vector<Bead> beads_; // those that have been left out, too
   std::vector<Line> lines_;
+  std::vector<Numbers> pieces_; // the lines of a chain
   std::map<std::size_t, std::vector<End_of_line>> ends_of_nodes_;
   std::map<Index, std::size_t> numbers_;      // of nodes
   std::map<std::size_t, std::size_t> joined_; // nodes that have become others
-  bool is_any_wrong_ = false;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

@@ -29,8 +29,9 @@
 namespace CGAL::Reeb_graph::internal::skeleton {
 
 // Takes branches off a graph, the least persistent ones first: paths from a leaf to the node where they leave the trunk,
-// or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of the radius of
-// the trunk there, if it protrudes from the trunk by less, or if it leads across a tube. One to a border stays.
+// or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of its radius there, or
+// of a quarter of that of the trunk, if it protrudes from the trunk by less than a share of its radius, or if it leads
+// across a tube. One to a border stays.
 class Branch_pruning
 {
 public:
@@ -165,9 +166,11 @@ private:
     for(std::size_t i = 1; i < samples.size(); ++i)
       for(const Point& middle : middles(samples[i - 1], farther[i - 1], samples[i], farther[i]))
         compare(middle, samples[i].on_surface);
-    const double least = ratio_ * radius;
-    return branch.persistence < least || protrusion < least || is_bump(tip, branch.persistence)
-        || is_across_tube(branch, tip);
+    // The trunk's contour at a hand or foot is that of all fingers or toes: each is compared with its own one.
+    const double length = graph_.sample_beside(branch.arcs.back(), branch.end).shape.length;
+    const double own = std::clamp(length / (2 * pi), radius / 4, radius);
+    return branch.persistence < ratio_ * own || protrusion < ratio_ * radius || is_bump(tip, branch.persistence)
+        || is_across_tube(branch, tip, length);
   }
 
   // Whether a branch is short beside a ball inside of the surface where it leaves the trunk, or its tip hardly protrudes from that.
@@ -175,7 +178,7 @@ private:
   bool is_beside_large_ball(const Branch& branch, Index tip)
   {
     const auto is_small = [&](const Inner_ball& ball) {
-      return branch.persistence < ratio_ * ball.radius
+      return branch.persistence < ratio_ / 2 * ball.radius
           || distance(graph_.point(tip), ball.center) < (1 + ratio_) * ball.radius;
     };
     const auto is_near = [&](const Inner_ball& ball) {
@@ -199,11 +202,10 @@ private:
 
   // Whether a ball touches both ends of a branch, and the contour where it leaves the trunk goes around the ball on both
   // sides: the fronts that part or meet there are two sections of one tube.
-  bool is_across_tube(const Branch& branch, Index tip) const
+  bool is_across_tube(const Branch& branch, Index tip, double contour_length) const
   {
     const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
     const double inscribed = tree_.distance_from(CGAL::midpoint(top, bottom), top);
-    const double contour_length = graph_.sample_beside(branch.arcs.back(), branch.end).shape.length;
     return distance(top, bottom) / 2 < (1 + ratio_ / 2) * inscribed && contour_length > 3 * pi * inscribed;
   }
 

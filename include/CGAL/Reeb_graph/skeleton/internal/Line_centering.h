@@ -22,7 +22,7 @@
 namespace CGAL::Reeb_graph::internal::skeleton {
 
 // Moves lines that are inside of a surface to where they are least long for how far they are from it: the sum of length by
-// distance over their edges falls, with a price on bends. Ends stay.
+// distance over their edges falls, with a price on bends. Ends and lines that are not inside stay.
 class Line_centering : Bead_lines
 {
 public:
@@ -49,24 +49,27 @@ private:
         if(2 * round >= number_of_rounds)
           join_junctions();
         for(Line& line : lines_)
-        {
-          resample(line);
-          leave_out_folds_and_tops(line.beads);
-        }
+          if(!line.is_fixed)
+          {
+            resample(line);
+            leave_out_folds_and_tops(line.beads);
+          }
         find_ends();
         join_lines();
       }
       for(const auto& [node, ends] : ends_of_nodes_)
-        if(!beads_[node].vertex && !beads_[node].is_settled)
+        if(!beads_[node].vertex && !beads_[node].is_fixed && !beads_[node].is_settled)
           move_node(node);
       for(const Line& line : lines_)
-        for(std::size_t i = 1; i + 1 < line.beads.size(); ++i)
+        for(std::size_t i = 1; i + 1 < line.beads.size() && !line.is_fixed; ++i)
           if(!beads_[line.beads[i]].is_settled)
             move_bead(line.beads, i);
     }
     join_junctions();
     for(Line& line : lines_)
     {
+      if(line.is_fixed)
+        continue;
       leave_out_folds_and_tops(line.beads);
       decimate(line.beads);
       for(const bool is_last : {false, true})
@@ -89,7 +92,8 @@ private:
       if(path.empty() || path.front() == path.back())
         continue;
       const Bead &a = beads_[path.front()], &b = beads_[path.back()];
-      if(a.vertex || b.vertex || !(distance(a.point.point, b.point.point) < (std::min)(a.depth, b.depth)))
+      if(a.vertex || b.vertex || a.is_fixed || b.is_fixed
+         || !(distance(a.point.point, b.point.point) < (std::min)(a.depth, b.depth)))
         continue;
       const bool is_from_front = a.depth < b.depth;
       line.beads.clear();
@@ -117,7 +121,7 @@ private:
         {
           added.push_back(beads_.size());
           beads_.push_back(Bead(beads_[path[i]]));
-          beads_.back().point.place = is_last ? line.length : 0;
+          beads_.back().point.place = line.places[is_last ? 1 : 0];
         }
         if(is_last)
           std::reverse(added.begin(), added.end());
@@ -144,7 +148,7 @@ private:
   bool join_lines_at(std::size_t node)
   {
     const auto ends = ends_of_nodes_[node];
-    if(ends.size() < 3 || beads_[node].vertex)
+    if(ends.size() < 3 || beads_[node].vertex || beads_[node].is_fixed)
       return false;
     for(std::size_t i = 0; i != ends.size(); ++i)
       for(std::size_t j = 0; j != i; ++j)
@@ -194,14 +198,14 @@ private:
         *std::find_if(ends.begin(), ends.end(), [&](const auto& end) { return !is_of(end, a) && !is_of(end, b); });
       Line& line = lines_[rest.line];
       beads_.push_back(beads_[node]);
-      beads_.back().point.place = rest.is_last ? line.length : 0;
+      beads_.back().point.place = line.places[rest.is_last ? 1 : 0];
       line.beads.insert(rest.is_last ? line.beads.end() - 1 : line.beads.begin() + 1, beads_.size() - 1);
     }
     else
     {
       parting = beads_.size();
       beads_.push_back(moved);
-      lines_.push_back({{node, parting}, 0, 0});
+      lines_.push_back({{node, parting}, {}, 0, false});
     }
     for(const End_of_line& end : {a, b})
     {
@@ -305,11 +309,7 @@ private:
     if(!(depth > 0))
       return;
     const Point p = bead.point.point;
-    // Outside, only the length counts.
-    const auto away = [&](const Point& from, const Point& closest, double distance) {
-      return bead.is_outside ? Vector(NULL_VECTOR) : (from - closest) / distance;
-    };
-    const Cost before = cost_of(p, depth, away(p, bead.point.on_surface, depth));
+    const Cost before = cost_of(p, depth, (p - bead.point.on_surface) / depth);
     Vector step = -bead.pace * depth * depth * before.gradient;
     if(const double square = along.squared_length(); square > 0)
       step = step - (step * along) / square * along;
@@ -320,8 +320,8 @@ private:
       return;
     const Point q = p + step;
     const Point closest = tree_.closest_on_wall(q, bead.point.on_surface);
-    const double new_depth = distance(q, closest), counted = bead.is_outside ? depth : new_depth;
-    if(!(new_depth > 0) || !(cost_of(q, counted, away(q, closest, new_depth)).value < before.value)
+    const double new_depth = distance(q, closest);
+    if(!(new_depth > 0) || !(cost_of(q, new_depth, (q - closest) / new_depth).value < before.value)
        || !std::all_of(neighbors.begin(), neighbors.end(), [&](std::size_t neighbor) {
             return is_free(beads_[neighbor], bead, {q, std::nullopt});
           }))
@@ -334,7 +334,6 @@ private:
     bead.point.point = q;
     bead.point.on_surface = closest;
     bead.depth = new_depth;
-    bead.is_outside = bead.is_outside && !tree_.is_inside(q);
     bead.pace = (std::min)(1.4 * bead.pace, 1.);
     for(const std::size_t neighbor : neighbors)
       if(beads_[neighbor].is_settled)

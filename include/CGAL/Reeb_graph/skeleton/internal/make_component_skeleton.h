@@ -196,8 +196,7 @@ Component_skeleton make_component_skeleton(Component component,
   Graph_chains chains(graph, pruning);
   Skeleton_lines lines(graph, chains, component, options, are_distances);
   Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio, result.is_self_intersecting);
-  // Lines that cross the surface, as where triangles of a raw neuron intersect, could go anywhere.
-  if(options.smooth > 0 && tree.has_area() && !(result.is_self_intersecting && inside.count_crossings() != 0))
+  if(options.smooth > 0 && tree.has_area())
     const Line_centering centering(graph, chains, tree, lines, options.smooth, options.sampling_ratio);
   inside.certify();
   result.number_of_contractible_loops = inside.number_of_contractible_loops();
