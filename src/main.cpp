@@ -296,7 +296,8 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
   begin_group(*command, "Skeleton");
   add_real_number(
     *command, "--pruning-ratio", options.settings.pruning_ratio,
-    "Remove branches that stand out from the trunk by less than this share of its radius, 0.5 by default; "
+    "Remove branches shorter than this share of their radius, or that stand out from the trunk by less than "
+    "this share of its radius, 0.5 by default; "
     "those that lead to borders stay");
   add_real_number(*command, "--sampling-ratio", options.settings.sampling_ratio,
                   "The distance between points, as a share of the radius, 0.5 by default");

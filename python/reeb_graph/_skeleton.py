@@ -112,7 +112,8 @@ def skeleton(
     scalars : (n,) array, or the name of data of the mesh, optional
         A field whose contours give the lines; by default the distance from a tip of each component.
     pruning_ratio : float
-        Branches go that stand out from the trunk by less than this share of its radius; 0 keeps all.
+        Branches go that are shorter than this share of their radius, or stand out from the trunk by less than this
+        share of its radius; 0 keeps all.
     sampling_ratio : float
         The distance between points as a share of the radius, from 0.01 to 100.
     ends_at_borders : bool

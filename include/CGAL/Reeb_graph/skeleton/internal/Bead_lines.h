@@ -107,9 +107,11 @@ protected:
     const auto place_of = [&](std::size_t i) {
       return i == 0 ? 0 : i + 1 == beads.size() ? length : beads_[beads[i]].point.place;
     };
+    bool was_outside = is_outside(beads[0]);
     for(std::size_t i = 1; i != beads.size(); ++i)
     {
-      const bool is_fixed = is_wrong(beads[i - 1], beads[i]);
+      const bool is_last_outside = std::exchange(was_outside, is_outside(beads[i]));
+      const bool is_fixed = is_last_outside || was_outside || is_wrong(beads[i - 1], beads[i]);
       if(i == 1 || is_fixed != lines_.back().is_fixed)
       {
         pieces_.back().push_back(lines_.size());
@@ -122,12 +124,12 @@ protected:
     }
   }
 
+  bool is_outside(std::size_t bead) const { return !beads_[bead].vertex && !tree_.is_inside(beads_[bead].point.point); }
+
   bool is_wrong(std::size_t a, std::size_t b) const
   {
-    const auto is_outside = [&](const Bead& bead) { return !bead.vertex && !tree_.is_inside(bead.point.point); };
     const Bead &p = beads_[a], &q = beads_[b];
-    return is_outside(p) || is_outside(q) || !is_free({a, b})
-        || (p.vertex && q.vertex && !tree_.is_inside(CGAL::midpoint(p.point.point, q.point.point)));
+    return !is_free({a, b}) || (p.vertex && q.vertex && !tree_.is_inside(CGAL::midpoint(p.point.point, q.point.point)));
   }
 
   void find_ends()

@@ -78,7 +78,9 @@ public:
            end.kind == Line_end::TIP && !points.empty())
           end.point.radius = (is_last ? points.back() : points.front()).radius;
     }
-    number_of_crossings_ = count_crossings();
+    for(Index line = 0; line != lines_.lines().size(); ++line)
+      for(std::size_t i = 0; i <= lines_.lines()[line].size() && !lines_.has_gone(line); ++i)
+        number_of_crossings_ += tree_.is_crossed(surface_place(line, i), surface_place(line, i + 1)) ? 1 : 0;
     if(loops_.cycles().empty())
       return;
     std::vector<std::array<Index, 2>> ends;
@@ -91,16 +93,6 @@ public:
       }
     const Loop_linking loops(ends);
     number_of_contractible_loops_ = Loop_linking::number_of_dependent(loops.linking_numbers(lines, polygons_));
-  }
-
-  // The number of edges that cross the surface, as they are now.
-  std::size_t count_crossings() const
-  {
-    std::size_t number = 0;
-    for(Index line = 0; line != lines_.lines().size(); ++line)
-      for(std::size_t i = 0; i <= lines_.lines()[line].size() && !lines_.has_gone(line); ++i)
-        number += tree_.is_crossed(surface_place(line, i), surface_place(line, i + 1)) ? 1 : 0;
-    return number;
   }
 
   std::size_t number_outside() const { return number_outside_; }
