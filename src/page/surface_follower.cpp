@@ -78,7 +78,8 @@ public:
     tree_.insert(triangles_.begin(), triangles_.end());
     if(triangles_.empty())
       return;
-    tree_.build();
+    tree_.custom_build(tree_.traits().compute_bbox_object(),
+                       [](auto begin, auto end, const CGAL::Bbox_3& part) { halve(begin, end, part); });
     // The search begins at the last place: to find a place to begin at, the tree would sort the corners, and calls itself
     // once for each of thousands of triangles with one corner.
     tree_.do_not_accelerate_distance_queries();
@@ -107,6 +108,20 @@ public:
 
 private:
   typedef std::array<Surface::Halfedge_index, 3> Sides_of_face;
+
+  // As the tree does, but triangles with equal coordinates by number: std::nth_element() puts those in another order in
+  // each standard library, and the order of the tree decides among places that are equally near.
+  template <class Iterator>
+  static void halve(Iterator begin, Iterator end, const CGAL::Bbox_3& box)
+  {
+    int axis = 0;
+    for(int i = 1; i != 3; ++i)
+      if(box.max(i) - box.min(i) > box.max(axis) - box.min(axis))
+        axis = i;
+    const auto key = [axis](const Primitive& p) { return std::make_pair(p.id()->vertex(0)[axis], p.id()); };
+    std::nth_element(begin, begin + (end - begin) / 2, end,
+                     [&](const Primitive& p, const Primitive& q) { return key(p) < key(q); });
+  }
 
   static Sides_of_face sides(const Surface& surface, Surface::Face_index f)
   {

@@ -37,6 +37,8 @@ function newFiles(FS, folder, isOld) {
   });
 }
 
+const outOfMemory = "out of memory: in a browser, a mesh and what is made of it have to fit into 4 GB";
+
 async function run({program, words, files}) {
   const errors = errorLines(progress => postMessage({progress})), output = [], old = new Set();
   const instance = await createProgram({
@@ -58,12 +60,13 @@ async function run({program, words, files}) {
   }
   const code = instance.callMain(words);
   const written = newFiles(FS, "", node => old.has(node));
-  return {code, output: output.join(""), errors: errors.lines.join("\n"), files: written};
+  const told = errors.lines.join("\n").replace(/out of memory$/, outOfMemory);
+  return {code, output: output.join(""), errors: told, files: written};
 }
 
 onmessage = ({data}) => run(data).then(
   result => postMessage({result}, result.files.map(file => file.bytes.buffer)),
   error => postMessage({result: {code: -1, output: "", files: [], errors:
     error instanceof RangeError || error.name === "NotReadableError"
-      ? "out of memory: in a browser, a mesh and what is made of it have to fit into 4 GB"
+      ? outOfMemory
       : `The program has stopped: ${error.message || error}`}}));
