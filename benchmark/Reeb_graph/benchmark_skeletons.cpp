@@ -8,15 +8,17 @@
 
 // Times of curve skeletons with their certificates, beside CGAL's mean curvature flow skeletons of the same surfaces in the
 // same run; and, of meshes in files, how good both are: how far they are from the middle, how much they turn, and how much
-// of them is inside. Those of the manual are characters among the meshes that CGAL comes with.
+// of them is inside. Those of the manual are characters among the meshes that CGAL comes with. How many ends are missing, and
+// false: of such characters that have been looked at, and of balls and tubes with spikes.
 //
-// Usage: benchmark_skeletons [REPETITIONS] [NUMBERS OF VERTICES | FILES...]
+// Usage: benchmark_skeletons [REPETITIONS] [NUMBERS OF VERTICES | FILES...], or benchmark_skeletons ends [FILES...]
 
 #include "generated_surfaces.h"
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/standing_figure.h"
 #include "measurements.h"
 #include "skeleton_quality.h"
+#include "tube_samples.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
@@ -26,11 +28,15 @@
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
 #include <CGAL/extract_mean_curvature_flow_skeleton.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 typedef CGAL::Simple_cartesian<double> Kernel;
@@ -101,7 +107,7 @@ void print_quality(const char* name, const benchmark::Skeleton_quality& quality,
               100 * quality.inside, quality.ends, milliseconds);
 }
 
-void compare(const std::string& path)
+void compare(const std::string& path, std::size_t repetitions)
 {
   Mesh mesh;
   Exact_mesh exact;
@@ -112,24 +118,87 @@ void compare(const std::string& path)
   }
   const Judge judge(exact);
   const std::size_t samples = 500;
-  Flow_skeleton flow;
-  const double time_of_flow = benchmark::milliseconds([&] { CGAL::extract_mean_curvature_flow_skeleton(mesh, flow); });
-  const auto quality_of_flow = judge(lines_of(flow), samples);
+  benchmark::Skeleton_quality quality_of_flow;
+  benchmark::Sample times, turnings; // The flow differs from run to run.
+  for(std::size_t i = 0; i != repetitions; ++i)
+  {
+    Flow_skeleton flow;
+    times.add(benchmark::milliseconds([&] { CGAL::extract_mean_curvature_flow_skeleton(mesh, flow); }));
+    quality_of_flow = judge(lines_of(flow), samples);
+    turnings.add(quality_of_flow.turning);
+  }
   std::printf("%s, %zu vertices\n", path.c_str(), std::size_t(mesh.number_of_vertices()));
-  print_quality("flow", quality_of_flow, quality_of_flow.turning, time_of_flow);
+  print_quality("flow", quality_of_flow, *turnings.median(), *times.median());
   for(const double smooth : {0., 1.})
   {
     CGAL::Reeb_graph::Curve_skeleton<Mesh> skeleton;
     const double time = benchmark::milliseconds(
       [&] { CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton, CGAL::parameters::smooth(smooth)); });
-    print_quality(smooth > 0 ? "ours" : "not moved", judge(lines_of(skeleton), samples), quality_of_flow.turning, time);
+    print_quality(smooth > 0 ? "ours" : "not moved", judge(lines_of(skeleton), samples), *turnings.median(), time);
   }
   std::fflush(stdout);
+}
+
+// The ends of characters that a person counts, and those with the ones that another person could count, too.
+const std::map<std::string, std::array<std::size_t, 2>> ends_by_eye = {
+  {"armadillo", {18, 18}}, {"bear", {6, 6}},    {"bull", {8, 12}},      {"cactus", {4, 4}},
+  {"camel", {12, 13}},     {"cow", {10, 14}},   {"dino", {12, 12}},     {"diplodocus", {6, 6}},
+  {"elephant", {8, 9}},    {"homer", {11, 12}}, {"triceratops", {8, 8}}};
+
+// Errors by the number of ends of each shape.
+struct Errors_of_ends
+{
+  std::size_t all = 0, missing = 0, excess = 0;
+
+  void add(const Mesh& mesh, double ratio, std::size_t least, std::size_t most)
+  {
+    CGAL::Reeb_graph::Curve_skeleton<Mesh> skeleton;
+    const auto parameters = CGAL::parameters::pruning_ratio(ratio);
+    const std::size_t found = CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton, parameters).number_of_ends;
+    all += least;
+    missing += found < least ? least - found : 0;
+    excess += found > most ? found - most : 0;
+  }
+};
+
+void count_ends(const std::vector<std::string>& files)
+{
+  std::printf("%-6s %-10s %5s %8s %6s\n", "ratio", "shapes", "ends", "missing", "false");
+  for(const double ratio : {0.3, 0.5})
+  {
+    Errors_of_ends characters, spikes;
+    for(const std::string& file : files)
+    {
+      Mesh mesh;
+      const auto known = ends_by_eye.find(std::filesystem::path(file).stem().string());
+      if(known != ends_by_eye.end() && CGAL::IO::read_polygon_mesh(file, mesh))
+        characters.add(mesh, ratio, known->second[0], known->second[1]);
+      else
+        std::fprintf(stderr, "%s is no character whose ends are known\n", file.c_str());
+    }
+    for(const bool is_ball : {false, true})
+      for(const double radius : {0.2, 0.35})
+        for(const double height : {0.25, 0.5, 0.75, 1.5, 2., 3., 5.})
+        {
+          if(is_ball && height < 1) // has no axis
+            continue;
+          const auto sample = tube_samples::spiked(is_ball, radius, height);
+          spikes.add(generated_surfaces::make_mesh<Mesh>(tube_samples::surface(sample, 0.01, 7)), ratio, sample.ends,
+                     sample.ends);
+        }
+    for(const auto& [name, errors] : {std::pair("characters", characters), std::pair("spikes", spikes)})
+      std::printf("%-6.1f %-10s %5zu %8zu %6zu\n", ratio, name, errors.all, errors.missing, errors.excess);
+  }
 }
 } // namespace
 
 int main(int argc, char* argv[])
 {
+  if(argc > 1 && std::string(argv[1]) == "ends")
+  {
+    count_ends({argv + 2, argv + argc});
+    return EXIT_SUCCESS;
+  }
   const std::size_t repetitions = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 3;
   std::vector<std::size_t> sizes;
   std::vector<std::string> files;
@@ -141,7 +210,7 @@ int main(int argc, char* argv[])
   if(!files.empty())
     std::printf("  %-10s %9s %9s %10s %6s %9s\n", "lines", "centered", "turning", "inside", "ends", "[ms]");
   for(const std::string& file : files)
-    compare(file);
+    compare(file, repetitions);
   if(sizes.empty() && !files.empty())
     return EXIT_SUCCESS;
   if(sizes.empty())

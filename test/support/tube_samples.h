@@ -210,6 +210,25 @@ inline Tubes tree(bool is_open)
   return sample;
 }
 
+// A ball with five spikes, or a tube with four, whose heights over it are given as multiples of their radius: those that are
+// not higher than that are no ends.
+inline Tubes spiked(bool is_ball, double radius, double height)
+{
+  Tubes sample;
+  sample.tubes = {{{0, 0, is_ball ? 0. : -4.}, {0, 0, is_ball ? 0.01 : 4.}, 1, 1}};
+  for(int i = 0; i != (is_ball ? 5 : 4); ++i)
+  {
+    const double length = 1 + (height - 1) * radius, turn = is_ball ? 1.2566 * i + 0.2 : 1.1 * i;
+    const double steep = !is_ball ? 0 : i % 2 == 0 ? -0.53 : 0.53, flat = length * std::sqrt(1 - steep * steep);
+    const double z = is_ball ? 0 : 1.9 * i - 3;
+    const Point top = {flat * std::cos(turn), flat * std::sin(turn), z + length * steep};
+    sample.tubes.push_back({{0, 0, z}, top, radius, radius});
+  }
+  sample.ends = is_ball ? 5 : height > 1 ? 6 : 2;
+  sample.cell_size = 0.09;
+  return sample;
+}
+
 inline Tubes ring()
 {
   Tubes sample;

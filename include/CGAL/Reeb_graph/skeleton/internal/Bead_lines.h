@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Loop_linking.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
@@ -48,7 +49,7 @@ protected:
     Numbers beads;                     // from node to node; none if it has become a point
     std::array<double, 2> places = {}; // of its ends, on the chain
     std::size_t joined = 0;            // the node that it has become
-    bool is_fixed = false;
+    bool is_fixed = false, is_on_cycle = false;
   };
   struct End_of_line
   {
@@ -89,19 +90,48 @@ protected:
       if(node.kind == Line_end::TIP)
         bead.depth = 0;
     }
+    const Loop_linking loops(lines.ends());
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
     {
       Numbers beads = {numbers_.at(lines.ends()[chain][0])};
       for(const Line_point& point : lines.lines()[chain])
         beads.push_back(add_bead(point));
       beads.push_back(numbers_.at(lines.ends()[chain][1]));
-      add_pieces(beads, chains.chains()[chain].length);
+      add_pieces(with_ways_to_crossings(beads, chains.chains()[chain].length), chains.chains()[chain].length,
+                 loops.is_on_cycle(chain));
     }
+    let_go();
+    find_ends();
+  }
+
+  // Of an edge that crosses the surface, little is to stay: gives it points in balls along it from both sides.
+  Numbers with_ways_to_crossings(const Numbers& beads, double length)
+  {
+    Numbers result = {beads.front()};
+    for(std::size_t i = 0; i + 1 != beads.size(); ++i)
+    {
+      std::array<Numbers, 2> ways;
+      const double size = distance(beads_[beads[i]].point.point, beads_[beads[i + 1]].point.point);
+      const bool is_led = !is_free({beads[i], beads[i + 1]}) && !tree_.has_openings() && !is_outside(beads[i])
+                       && !is_outside(beads[i + 1]);
+      for(const int side : {0, 1})
+        for(double depth = beads_[beads[i + side]].depth, way = 0; is_led && depth > 0.05 * size;)
+        {
+          way += 0.8 * depth / size;
+          ways[side].push_back(beads_.size());
+          beads_.push_back(between(beads, i, side == 0 ? way : 1 - way, {0, length}));
+          depth = beads_.back().depth;
+        }
+      result.insert(result.end(), ways[0].begin(), ways[0].end());
+      result.insert(result.end(), ways[1].rbegin(), ways[1].rend());
+      result.push_back(beads[i + 1]);
+    }
+    return result;
   }
 
   // Edges that are not inside, as where the surface intersects itself or has no volume, could go anywhere: they stay, and what
   // is between them are lines of their own.
-  void add_pieces(const Numbers& beads, double length)
+  void add_pieces(const Numbers& beads, double length, bool is_on_cycle)
   {
     pieces_.emplace_back();
     const auto place_of = [&](std::size_t i) {
@@ -115,12 +145,10 @@ protected:
       if(i == 1 || is_fixed != lines_.back().is_fixed)
       {
         pieces_.back().push_back(lines_.size());
-        lines_.push_back({{beads[i - 1]}, {place_of(i - 1), 0}, 0, is_fixed});
+        lines_.push_back({{beads[i - 1]}, {place_of(i - 1), 0}, 0, is_fixed, is_on_cycle});
       }
       lines_.back().beads.push_back(beads[i]);
       lines_.back().places[1] = place_of(i);
-      for(const std::size_t bead : {beads[i - 1], beads[i]})
-        beads_[bead].is_fixed = beads_[bead].is_fixed || is_fixed;
     }
   }
 
@@ -130,6 +158,35 @@ protected:
   {
     const Bead &p = beads_[a], &q = beads_[b];
     return !is_free({a, b}) || (p.vertex && q.vertex && !tree_.is_inside(CGAL::midpoint(p.point.point, q.point.point)));
+  }
+
+  // Lines that have come inside are as others, and one with what they go on to.
+  void let_go()
+  {
+    for(Numbers& pieces : pieces_)
+      for(std::size_t i = pieces.size(); i-- != 0;)
+      {
+        Line& line = lines_[pieces[i]];
+        bool is_wrong_still = false;
+        for(std::size_t k = 1; k < line.beads.size() && line.is_fixed && !is_wrong_still; ++k)
+        {
+          const std::size_t a = line.beads[k - 1], b = line.beads[k];
+          is_wrong_still = is_outside(a) || is_outside(b) || is_wrong(a, b);
+        }
+        line.is_fixed = is_wrong_still;
+        if(line.is_fixed || i + 1 == pieces.size() || lines_[pieces[i + 1]].is_fixed)
+          continue;
+        Line& next = lines_[pieces[i + 1]];
+        next.beads.insert(next.beads.begin(), line.beads.begin(), line.beads.end() - 1);
+        next.places[0] = line.places[0];
+        line.beads.clear();
+        pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    for(Bead& bead : beads_)
+      bead.is_fixed = false;
+    for(const Line& line : lines_)
+      for(const std::size_t bead : line.beads)
+        beads_[bead].is_fixed = beads_[bead].is_fixed || line.is_fixed;
   }
 
   void find_ends()
@@ -339,10 +396,16 @@ protected:
   double share_beside(const Numbers& line, std::size_t from, std::size_t to, std::size_t i) const
   {
     const Bead& bead = beads_[line[i]];
+    return distance(bead.point.point, foot(line, from, to, i)) / (tolerance * smooth_ * bead.depth);
+  }
+
+  // The point of a chord that is closest to a bead.
+  Point foot(const Numbers& line, std::size_t from, std::size_t to, std::size_t i) const
+  {
     const Point& p = beads_[line[from]].point.point;
-    const Vector chord = beads_[line[to]].point.point - p, way = bead.point.point - p;
-    const double square = chord.squared_length(), t = square > 0 ? std::clamp(way * chord / square, 0., 1.) : 0;
-    return length(way - t * chord) / (tolerance * smooth_ * bead.depth);
+    const Vector chord = beads_[line[to]].point.point - p, way = beads_[line[i]].point.point - p;
+    const double square = chord.squared_length();
+    return p + (square > 0 ? std::clamp(way * chord / square, 0., 1.) : 0) * chord;
   }
 
   void write(Skeleton_lines& lines, double sampling_ratio, Index next)
@@ -424,7 +487,7 @@ protected:
     }
   }
 
-  static constexpr double tolerance = 0.03; // of the distance from the surface, in straight parts
+  static constexpr double tolerance = 0.04; // of the distance from the surface, in straight parts
 
   const Surface_tree& tree_;
   const double smooth_, least_depth_;

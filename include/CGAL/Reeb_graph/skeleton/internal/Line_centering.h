@@ -42,11 +42,12 @@ private:
   void run()
   {
     // Most is gained in the first rounds: those of thousands of points, as of neurons, do without the others.
-    const int number_of_rounds = beads_.size() < 5000 ? 40 : 7, rounds_between = 3, last_rounds = 7;
+    const int number_of_rounds = beads_.size() < 5000 ? 40 : 7, rounds_between = 5, last_rounds = 7;
     for(int round = 0; round != number_of_rounds; ++round)
     {
       if(round % rounds_between == 0 && round + last_rounds < number_of_rounds)
       {
+        let_go();
         if(2 * round >= number_of_rounds)
           join_junctions();
         for(Line& line : lines_)
@@ -59,7 +60,7 @@ private:
         join_lines();
       }
       for(const auto& [node, ends] : ends_of_nodes_)
-        if(!beads_[node].vertex && !beads_[node].is_fixed && !beads_[node].is_settled)
+        if(!beads_[node].vertex && !is_outside(node) && !beads_[node].is_settled)
           move_node(node);
       for(const Line& line : lines_)
         for(std::size_t i = 1; i + 1 < line.beads.size() && !line.is_fixed; ++i)
@@ -72,9 +73,29 @@ private:
       if(line.is_fixed)
         continue;
       leave_out_folds_and_tops(line.beads);
+      for(int round = 0; round < number_of_rounds / 4; ++round)
+        straighten(line.beads);
       decimate(line.beads);
       for(const bool is_last : {false, true})
         go_on_before_tip(line, is_last);
+    }
+  }
+
+  // Puts points nearer to the straight line between their neighbors where that is not nearer to the surface: there is room in
+  // flat parts, and for what noise has bent.
+  void straighten(const Numbers& line)
+  {
+    for(std::size_t i = 1; i + 1 < line.size(); ++i)
+    {
+      Bead& bead = beads_[line[i]];
+      const Bead &before = beads_[line[i - 1]], &after = beads_[line[i + 1]];
+      Line_point middle = bead.point;
+      middle.point = CGAL::midpoint(middle.point, foot(line, i - 1, i + 1, i));
+      if(!(before.depth > 0 && after.depth > 0) || distance(middle.point, bead.point.point) < least_share * bead.depth)
+        continue;
+      const Bead moved = make_bead(middle);
+      if(moved.depth >= bead.depth && is_free(before, bead, moved.place()) && is_free(after, bead, moved.place()))
+        bead = moved;
     }
   }
 
@@ -206,7 +227,7 @@ private:
     {
       parting = beads_.size();
       beads_.push_back(moved);
-      lines_.push_back({{node, parting}, {}, 0, false});
+      lines_.push_back({{node, parting}});
     }
     for(const End_of_line& end : {a, b})
     {
@@ -277,7 +298,8 @@ private:
         continue;
       Cost of_edge;
       add_edge(p, depth, away, beads_[neighbor], of_edge);
-      const double share = beads_[neighbor].depth / most, weight = share * share * share * share;
+      const double share = neighbors.size() == 2 ? 1 : beads_[neighbor].depth / most,
+                   weight = share * share * share * share;
       cost.value += weight * of_edge.value;
       cost.gradient = cost.gradient + weight * of_edge.gradient;
     }
@@ -293,11 +315,19 @@ private:
 
   void move_node(std::size_t node)
   {
-    Numbers neighbors;
+    Numbers neighbors, free;
     for(const End_of_line& end : ends_of_nodes_[node])
+    {
+      const Line& line = lines_[end.line];
+      if(line.is_fixed && line.is_on_cycle)
+        return;
       neighbors.push_back(from_end(end, 1));
-    move(node, neighbors, NULL_VECTOR,
-         [&](const Point& p, double depth, const Vector& away) { return cost_of_node(neighbors, p, depth, away); });
+      if(!line.is_fixed)
+        free.push_back(neighbors.back());
+    }
+    if(!free.empty()) // Edges that cross the surface follow.
+      move(node, free, NULL_VECTOR,
+           [&](const Point& p, double depth, const Vector& away) { return cost_of_node(neighbors, p, depth, away); });
   }
 
   // Moves down the gradient, across the line, if that pays.
