@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_COSTS_H
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstddef>
@@ -25,7 +26,9 @@ inline std::size_t peak_memory_bytes()
 #endif
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return unit * static_cast<std::size_t>(usage.ru_maxrss);
+  // WebAssembly does not count, but its memory never gets smaller.
+  return usage.ru_maxrss == 0 ? reinterpret_cast<std::size_t>(sbrk(0))
+                              : unit * static_cast<std::size_t>(usage.ru_maxrss);
 }
 
 class Stopwatch

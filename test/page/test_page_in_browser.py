@@ -583,6 +583,7 @@ def test_wide_drawing():
         browser.execute_script("document.getElementById('drawing_frame').scrollLeft = 1e6")
         assert scroll()[0] == inner - outer and not right.is_displayed()
     load("tori.html")
+    browser.execute_script("document.getElementById('drawing_frame').scrollLeft = 0")
     start, top = browser.execute_script("const r = document.getElementById('drawing').getBoundingClientRect();"
                                         "return [r.left + 200, r.top + 5]")
     position = scroll()[0]

@@ -487,7 +487,7 @@ protected:
     }
   }
 
-  static constexpr double tolerance = 0.04; // of the distance from the surface, in straight parts
+  static constexpr double tolerance = 0.055; // of the distance from the surface, in straight parts
 
   const Surface_tree& tree_;
   const double smooth_, least_depth_;

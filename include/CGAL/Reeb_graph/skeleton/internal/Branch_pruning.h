@@ -138,7 +138,7 @@ private:
     }
   }
 
-  // Compares with the trunk: the contours of the other arcs where the branch ends, and what lies between two of them.
+  // Compares with the trunk: contours of the other arcs near where the branch ends, and what lies between two of them.
   // The tip protrudes from the one that hides it best.
   bool is_to_go(const Branch& branch, Index tip)
   {
@@ -154,14 +154,19 @@ private:
       radius = (std::max)(radius, inscribed); // Fronts about to meet have a contour that folds around the tube.
       protrusion = (std::min)(protrusion, distance(top, center) - inscribed);
     };
+    std::vector<Index> trunk;
     for(const Index arc : graph_.arcs_of(branch.end))
+      if(is_alive_[arc] && arc != branch.arcs.back())
+      {
+        trunk.push_back(arc);
+        radius = (std::max)(radius, graph_.sample_beside(arc, branch.end).shape.radius());
+      }
+    const double step = radius / 2; // Where the branch leaves the trunk, contours of this lean towards the tip.
+    for(const Index arc : trunk)
     {
-      if(!is_alive_[arc] || arc == branch.arcs.back())
-        continue;
-      samples.push_back(graph_.sample_beside(arc, branch.end));
-      radius = (std::max)(radius, samples.back().shape.radius());
+      samples.push_back(sample_farther(arc, branch.end, step));
+      farther.push_back(sample_farther(arc, branch.end, 3 * step));
       compare(samples.back().shape.centroid, samples.back().on_surface);
-      farther.push_back(sample_farther(arc, branch.end, radius));
     }
     for(std::size_t i = 1; i < samples.size(); ++i)
       for(const Point& middle : middles(samples[i - 1], farther[i - 1], samples[i], farther[i]))
