@@ -26,7 +26,6 @@
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/enum.h>
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <boost/unordered_map.hpp>
 #include <boost/unordered_set.hpp>
 
@@ -186,22 +185,23 @@ inline void orient_alike(std::vector<std::array<std::size_t, 3>>& triangles)
     }
   std::sort(sides.begin(), sides.end());
   // each triangle as it is, and the other way round
-  boost::disjoint_sets_with_storage<> ways(2 * triangles.size());
+  Disjoint_sets<Index> ways(checked_index(2 * triangles.size()));
+  const auto find = [&](std::size_t way) { return ways.find(static_cast<Index>(way)); };
   for(auto side = sides.begin(), end = side; side != sides.end(); side = end)
   {
     end = std::find_if(side, sides.end(), [&](const auto& s) { return s[0] != (*side)[0] || s[1] != (*side)[1]; });
     for(std::size_t way = 0; end - side == 2 && way != 2; ++way)
-      ways.union_set(side[0][2] ^ way, side[1][2] ^ way ^ 1);
+      ways.link(find(side[0][2] ^ way), find(side[1][2] ^ way ^ 1));
   }
   std::vector<std::pair<std::size_t, std::size_t>> votes(2 * triangles.size()); // and one more for the first triangle
   for(std::size_t t = triangles.size(); t-- != 0;)
   {
-    auto& [number, first] = votes[ways.find_set(2 * t)];
+    auto& [number, first] = votes[find(2 * t)];
     ++number;
     first = triangles.size() - t;
   }
   for(std::size_t t = 0; t != triangles.size(); ++t)
-    if(votes[ways.find_set(2 * t)] < votes[ways.find_set(2 * t + 1)])
+    if(votes[find(2 * t)] < votes[find(2 * t + 1)])
       std::swap(triangles[t][1], triangles[t][2]);
 }
 
