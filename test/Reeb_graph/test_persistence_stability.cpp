@@ -18,9 +18,11 @@
 #include "computed_graphs.h"
 #include "persistence_oracle.h"
 
+#include <CGAL/Reeb_graph/comparison/bottleneck_distance.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
@@ -143,6 +145,29 @@ BOOST_AUTO_TEST_CASE(pairs_are_those_of_the_surface)
       number_of_loops += num_edges(graph) + 1 > num_vertices(graph) ? 1 : 0;
     }
   BOOST_TEST(number_of_loops > 100u);
+}
+
+// Random numbers, and whole ones, of which many are equal.
+BOOST_AUTO_TEST_CASE(the_bottleneck_distance_is_that_of_gudhi)
+{
+  for(std::size_t seed = 0; seed < 300; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      std::array<Diagram, 2> diagrams;
+      std::array<std::vector<CGAL::Reeb_graph::Persistence_values>, 2> pairs;
+      const double unit = seed % 2 == 0 ? 1 : 0.0009765625;
+      for(std::size_t i = 0; i < 2; ++i)
+        for(std::size_t k = random.below(60); k > 0; --k)
+        {
+          const double lower = unit * static_cast<double>(random.below(seed % 2 == 0 ? 12 : 9999)),
+                       upper = lower + unit * static_cast<double>(1 + random.below(seed % 2 == 0 ? 9 : 4999));
+          diagrams[i].emplace_back(lower, upper);
+          pairs[i].push_back({lower, upper, Persistence_pair_kind::LOOP});
+        }
+      BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(pairs[0], pairs[1])
+                 == Gudhi::persistence_diagram::bottleneck_distance(diagrams[0], diagrams[1], 0.));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(diagrams_of_small_surfaces_are_stable)

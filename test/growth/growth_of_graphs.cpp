@@ -8,9 +8,11 @@
 
 #include "Table.h"
 #include "random_graphs.h"
+#include "random_meshes.h"
 #include "surfaces.h"
 
 #include <CGAL/Reeb_graph.h>
+#include <CGAL/Reeb_graph/comparison/bottleneck_distance.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -272,6 +274,25 @@ Functions functions_of_files()
   };
 }
 
+// The pairs of two fields of noise.
+struct Noisy_pairs
+{
+  explicit Noisy_pairs(std::size_t number)
+  {
+    random_meshes::Random random(number);
+    const auto unit = [&] { return static_cast<double>(random.below(1000000)) / 1000000; };
+    for(auto* pairs : {&a, &b})
+      for(std::size_t i = 0; i < number; ++i)
+      {
+        const double lower = unit();
+        pairs->push_back({lower, lower + (1 - lower) * unit() * unit(), Persistence_pair_kind::MINIMUM_SADDLE});
+      }
+  }
+  std::size_t size() const { return a.size(); }
+
+  std::vector<Persistence_values> a, b;
+};
+
 // Loops each of which is on a branch of the one before, and keeps that as long as it stays: simplify() removes one of
 // them a turn.
 struct Nested_loops
@@ -318,6 +339,10 @@ void measure_graphs(Table& table)
                                                         return compute(s, parameters::method(Method::CRITICAL_SETS));
                                                       }});
   }
+  const auto noisy = at_three_sizes<Noisy_pairs>(4000, [](std::size_t pairs) { return pairs; });
+  table.measure("two of noise", noisy, Function<Noisy_pairs>{"bottleneck_distance", [](const Noisy_pairs& s) {
+                                                               return 0 * std::size_t(bottleneck_distance(s.a, s.b));
+                                                             }});
   const auto graphs = at_three_sizes<Nested_loops>(500, [](std::size_t loops) { return loops; });
   table.measure("nested loops", graphs, Function<Nested_loops>{"arc_persistences", [](const Nested_loops& s) {
                                                                  return 0 * arc_persistences(s.graph).size();

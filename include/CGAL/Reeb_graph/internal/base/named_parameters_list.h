@@ -44,6 +44,7 @@ CGAL_REEB_GRAPH_NAMED_PARAMETER(pruning_ratio, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(sampling_ratio, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(smooth, double)
 CGAL_REEB_GRAPH_NAMED_PARAMETER(ends_at_borders, bool)
+CGAL_REEB_GRAPH_NAMED_PARAMETER(price_alone, double)
 
 // These have values of any type, and a tag, which has another name where there are functions called as the parameter is.
 CGAL_REEB_GRAPH_NAMED_PARAMETER_OF_ANY_TYPE(vertex_place_map, vertex_place_map)

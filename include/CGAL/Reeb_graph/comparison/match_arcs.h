@@ -1,0 +1,249 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_COMPARISON_MATCH_ARCS_H
+#define CGAL_REEB_GRAPH_COMPARISON_MATCH_ARCS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
+#include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/named_parameters.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph {
+
+/// \ingroup PkgReebGraphExceptions
+///
+/// \brief thrown for a graph with more than 300 arcs by `match_arcs()`, whose time is cubic: `simplify()` it first.
+class Too_many_arcs_error : public Error
+{
+public:
+  /// constructs the exception for a graph with `number` arcs.
+  explicit Too_many_arcs_error(std::size_t number)
+    : Error(message("a graph has ", number, " arcs, and arcs are matched among 300 at most: simplify it first"))
+  {}
+};
+
+namespace internal {
+
+constexpr std::size_t most_matched_arcs = 300;
+
+// An arc as another one is compared with it: nothing depends on the units of field and mesh.
+struct Compared_arc
+{
+  bool is_lower_end_leaf, is_upper_end_leaf;
+  double lower, upper; // the values of its ends, in parts of the range of the field
+  double length;       // in parts of the lengths of all arcs
+  double root_of_area; // of its part of the area of the surface
+
+  // The price of being partners, of which one without a partner has half.
+  static double price(const Compared_arc& a, const Compared_arc& b)
+  {
+    const int ends = int(a.is_lower_end_leaf != b.is_lower_end_leaf) + int(a.is_upper_end_leaf != b.is_upper_end_leaf);
+    return 0.5 * ends + std::abs(a.lower - b.lower) + std::abs(a.upper - b.upper) + 0.5 * std::abs(a.length - b.length)
+         + 0.5 * std::abs(a.root_of_area - b.root_of_area);
+  }
+};
+
+// The part of a number in a sum, which may be 0.
+inline double part_of(double number, double sum) { return sum > 0 ? number / sum : 0; }
+
+// The arcs of a graph in their order.
+template <class GraphOnMesh, class NamedParameters>
+std::vector<Compared_arc> compared_arcs(const typename GraphOnMesh::Graph& graph,
+                                        const Basic_augmentation<GraphOnMesh>& augmentation,
+                                        const NamedParameters& np)
+{
+  if(num_edges(graph) > most_matched_arcs)
+    throw Too_many_arcs_error(num_edges(graph));
+  const std::vector<double> lengths = arc_lengths(augmentation, np),
+                            areas = arc_areas(augmentation, augmentation.locate_vertices(), np);
+  const double length = std::accumulate(lengths.begin(), lengths.end(), 0.),
+               area = std::accumulate(areas.begin(), areas.end(), 0.);
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  const auto value = [&](const auto node) { return augmentation.value(graph[node].vertex); };
+  for(const auto node : CGAL::make_range(vertices(graph)))
+  {
+    least = (std::min)(least, value(node));
+    greatest = (std::max)(greatest, value(node));
+  }
+  if(!std::isfinite(greatest - least) && num_edges(graph) != 0)
+    throw Parameter_error("the range of the field is not finite");
+  std::vector<Compared_arc> arcs;
+  for(const auto arc : CGAL::make_range(edges(graph)))
+  {
+    const auto lower = source(arc, graph), upper = target(arc, graph);
+    const std::size_t i = arcs.size();
+    arcs.push_back({degree(lower, graph) == 1, degree(upper, graph) == 1,
+                    part_of(value(lower) - least, greatest - least), part_of(value(upper) - least, greatest - least),
+                    part_of(lengths[i], length), std::sqrt(part_of(areas[i], area))});
+  }
+  return arcs;
+}
+
+// For each row of a square matrix of prices a column, such that the sum of the prices is least: the Hungarian method
+// (H. W. Kuhn 1955), by shortest augmenting paths. `price` is called with a row and a column.
+template <class Price>
+std::vector<std::size_t> assign(std::size_t size, const Price& price)
+{
+  // numbered from 1, so that 0 is none, and the column 0 is where each path begins
+  std::vector<double> row_potential(size + 1, 0), column_potential(size + 1, 0);
+  std::vector<std::size_t> row_of(size + 1, 0), before(size + 1);
+  for(std::size_t row = 1; row <= size; ++row)
+  {
+    std::vector<double> distance(size + 1, std::numeric_limits<double>::infinity());
+    std::vector<char> is_reached(size + 1, false);
+    std::size_t column = 0;
+    for(row_of[0] = row; row_of[column] != 0;)
+    {
+      is_reached[column] = true;
+      const std::size_t last_row = row_of[column];
+      double step = std::numeric_limits<double>::infinity();
+      std::size_t nearest = 0;
+      for(std::size_t j = 1; j <= size; ++j)
+        if(!is_reached[j])
+        {
+          const double reduced = price(last_row - 1, j - 1) - row_potential[last_row] - column_potential[j];
+          if(reduced < distance[j])
+          {
+            distance[j] = reduced;
+            before[j] = column;
+          }
+          if(distance[j] < step)
+          {
+            step = distance[j];
+            nearest = j;
+          }
+        }
+      for(std::size_t j = 0; j <= size; ++j)
+        if(is_reached[j])
+        {
+          row_potential[row_of[j]] += step;
+          column_potential[j] -= step;
+        }
+        else
+          distance[j] -= step;
+      column = nearest;
+    }
+    for(; column != 0; column = before[column])
+      row_of[column] = row_of[before[column]];
+  }
+  std::vector<std::size_t> result(size);
+  for(std::size_t j = 1; j <= size; ++j)
+    result[row_of[j] - 1] = j - 1;
+  return result;
+}
+
+// By arc of `a`, its partner among those of `b`, or b.size() if it has none. Each may stay alone for half a price.
+inline std::vector<std::size_t> match(const std::vector<Compared_arc>& a,
+                                      const std::vector<Compared_arc>& b,
+                                      double price_alone)
+{
+  std::vector<std::size_t> partners = assign(a.size() + b.size(), [&](std::size_t i, std::size_t j) {
+    if(i < a.size() && j < b.size())
+      return Compared_arc::price(a[i], b[j]);
+    return i < a.size() || j < b.size() ? price_alone : 0.;
+  });
+  partners.resize(a.size());
+  for(std::size_t& partner : partners)
+    partner = (std::min)(partner, b.size());
+  return partners;
+}
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphComparison
+///
+/// \brief finds which arcs of two simplified graphs stand for the same part of two shapes, as the limbs of two bodies.
+///
+/// Arcs are assigned to each other one to one, or to none, so that the sum of prices is least. The price of two arcs adds
+/// up how they differ:
+///
+/// - one half for each end that is a leaf in one of them only,
+/// - the differences of their lower and of their upper values, in parts of the range of the field,
+/// - half of the difference of their lengths, in parts of the lengths of all arcs,
+/// - half of the difference of the roots of their areas, in parts of the whole area.
+///
+/// So nothing depends on units, or on the order of vertices. An arc that stays alone has the price `price_alone`, so arcs
+/// are no partners that differ by more than twice of it.
+///
+/// A field has to mean the same on both shapes, as geodesic distances from the same place do. Then prices say which limbs
+/// are alike, but not which one of two equal arms is the left one.
+///
+/// With \f$ n \f$ arcs of both graphs, it takes \f$ O(n^3) \f$ time, and that of locating vertices.
+///
+/// \tparam GraphOnMeshA, GraphOnMeshB what the augmentations are of; those of tetrahedra have volumes, and are none
+/// \tparam OutputIterator a model of `OutputIterator` for pairs of an arc of `graph_a` and one of `graph_b`
+///
+/// \param graph_a a Reeb graph, mostly a simplified one
+/// \param augmentation_a the augmentation of this graph; for a simplified one, with `simplification`
+/// \param graph_b another graph
+/// \param augmentation_b its augmentation
+/// \param partners the output: the arcs that are partners, in the order of those of `graph_a`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{price_alone}
+///     \cgalParamDescription{the price of an arc that has no partner}
+///     \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{1}
+///     \cgalParamExtra{use the function `parameters::price_alone()`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \returns the output iterator behind the last pair.
+///
+/// \exception Reeb_graph::Too_many_arcs_error if a graph has more than 300 arcs
+/// \exception Reeb_graph::Parameter_error if `price_alone` is negative or NaN, or if the range of a field is not finite
+template <class GraphOnMeshA,
+          class GraphOnMeshB,
+          class OutputIterator,
+          class NamedParameters = parameters::Default_named_parameters>
+OutputIterator match_arcs(const typename GraphOnMeshA::Graph& graph_a,
+                          const Basic_augmentation<GraphOnMeshA>& augmentation_a,
+                          const typename GraphOnMeshB::Graph& graph_b,
+                          const Basic_augmentation<GraphOnMeshB>& augmentation_b,
+                          OutputIterator partners,
+                          const NamedParameters& np = parameters::default_values())
+{
+  const double price_alone = internal::parameter_or(np, internal::price_alone, 1.);
+  if(!(price_alone >= 0))
+    throw Parameter_error("price_alone is not a number from 0");
+  const auto points = parameters::default_values();
+  const std::vector<std::size_t> found =
+    internal::match(internal::compared_arcs(graph_a, augmentation_a, points),
+                    internal::compared_arcs(graph_b, augmentation_b, points), price_alone);
+  const auto [first_b, last_b] = edges(graph_b);
+  const std::vector<typename boost::graph_traits<typename GraphOnMeshB::Graph>::edge_descriptor> arcs_b(first_b,
+                                                                                                        last_b);
+  std::size_t i = 0;
+  for(const auto arc : CGAL::make_range(edges(graph_a)))
+  {
+    if(found[i] != arcs_b.size())
+      *partners++ = std::make_pair(arc, arcs_b[found[i]]);
+    ++i;
+  }
+  return partners;
+}
+
+} // namespace CGAL::Reeb_graph
+
+#endif // CGAL_REEB_GRAPH_COMPARISON_MATCH_ARCS_H

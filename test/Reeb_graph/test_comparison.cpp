@@ -1,0 +1,192 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "compared_bodies.h"
+#include "computed_graphs.h"
+
+#include <CGAL/Reeb_graph/comparison/bottleneck_distance.h>
+#include <CGAL/Reeb_graph/comparison/match_arcs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_comparison)
+
+using namespace compared_bodies;
+using CGAL::Reeb_graph::Persistence_pair_kind;
+using CGAL::Reeb_graph::Persistence_values;
+using computed_graphs::Field_class;
+using computed_graphs::make_mesh;
+using computed_graphs::Mesh_class;
+using computed_graphs::Random;
+
+namespace {
+typedef std::vector<Persistence_values> Pairs;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Few values, so that many are equal, and both kinds that are compared apart.
+Pairs random_pairs(std::size_t most, Random& random)
+{
+  Pairs pairs(random.below(most + 1));
+  for(Persistence_values& pair : pairs)
+  {
+    pair.lower = static_cast<double>(random.below(8));
+    pair.upper = pair.lower + static_cast<double>(random.below(6));
+    pair.kind = random.below(2) == 0 ? Persistence_pair_kind::LOOP : Persistence_pair_kind::MINIMUM_SADDLE;
+  }
+  return pairs;
+}
+
+double half_persistence(const Persistence_values& pair) { return (pair.upper - pair.lower) / 2; }
+
+// By definition: the least price over all assignments of a[i...] to what is left of b, or to nothing.
+double least_price(const Pairs& a, std::size_t i, const Pairs& b, std::vector<bool>& is_taken)
+{
+  double least = infinity;
+  if(i == a.size())
+  {
+    least = 0;
+    for(std::size_t j = 0; j != b.size(); ++j)
+      if(!is_taken[j])
+        least = (std::max)(least, half_persistence(b[j]));
+    return least;
+  }
+  least = (std::max)(half_persistence(a[i]), least_price(a, i + 1, b, is_taken));
+  for(std::size_t j = 0; j != b.size(); ++j)
+    if(!is_taken[j] && a[i].kind == b[j].kind)
+    {
+      is_taken[j] = true;
+      const double price = (std::max)(std::abs(a[i].lower - b[j].lower), std::abs(a[i].upper - b[j].upper));
+      least = (std::min)(least, (std::max)(price, least_price(a, i + 1, b, is_taken)));
+      is_taken[j] = false;
+    }
+  return least;
+}
+
+Pairs pairs_of(const mesh_builders::Surface_mesh& mesh, const std::vector<double>& values)
+{
+  Pairs pairs;
+  CGAL::Reeb_graph::persistence_values(graph_checks::compute(mesh, values), std::back_inserter(pairs));
+  return pairs;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(distances_that_are_known)
+{
+  const Pairs sphere = {{0, 3, Persistence_pair_kind::MINIMUM_MAXIMUM}};
+  Pairs torus = sphere;
+  torus.push_back({1, 2, Persistence_pair_kind::LOOP});
+  BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(sphere, torus) == 0.5); // the loop closes half way
+  BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(torus, torus) == 0);
+  BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(Pairs(), Pairs()) == 0);
+  Pairs moved = torus;
+  moved.back().upper = 2.25;
+  BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(torus, moved) == 0.25);
+  moved.back().kind = Persistence_pair_kind::SADDLE_MAXIMUM; // pairs of other kinds are no partners
+  BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(torus, moved) == 0.625);
+  moved.back().upper = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_THROW(CGAL::Reeb_graph::bottleneck_distance(torus, moved), CGAL::Reeb_graph::Parameter_error);
+}
+
+BOOST_AUTO_TEST_CASE(the_distance_is_the_least_price)
+{
+  for(std::size_t seed = 0; seed != 2000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const Pairs a = random_pairs(5, random), b = random_pairs(5, random), c = random_pairs(5, random);
+      std::vector<bool> is_taken(b.size(), false);
+      const double distance = CGAL::Reeb_graph::bottleneck_distance(a, b);
+      BOOST_TEST(distance == least_price(a, 0, b, is_taken));
+      BOOST_TEST(distance == CGAL::Reeb_graph::bottleneck_distance(b, a));
+      BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(a, c) <= distance + CGAL::Reeb_graph::bottleneck_distance(b, c));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_distance_is_at_most_that_of_the_fields)
+{
+  for(std::size_t seed = 0; seed != 300; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      Random random(seed);
+      const auto combinatorial_mesh = random_meshes::random_mesh(static_cast<Mesh_class>(seed % 6), random);
+      const auto values = random_meshes::random_field(combinatorial_mesh, Field_class::PERMUTATION, random);
+      auto others = values;
+      for(double& value : others)
+        value += static_cast<double>(random.below(9)) - 4;
+      const auto mesh = make_mesh<mesh_builders::Surface_mesh>(combinatorial_mesh);
+      BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(pairs_of(mesh, values), pairs_of(mesh, others)) <= 4);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(limbs_are_partners_of_limbs)
+{
+  std::size_t number = 0, number_of_right_ones = 0;
+  for(unsigned i = 0; i != 6; ++i)
+  {
+    const Compared_body a = body(i, 10 * i), b = body(i + 1, 10 * i + 5);
+    for(const auto& [leaf_a, leaf_b] : matched_leaves(a, b))
+    {
+      ++number;
+      number_of_right_ones += a.parts[leaf_a] == b.parts[leaf_b] ? 1 : 0;
+    }
+  }
+  BOOST_TEST(number >= 29u); // a head, two arms, and two legs
+  BOOST_TEST(number_of_right_ones >= 29u);
+}
+
+BOOST_AUTO_TEST_CASE(units_numbers_and_order_change_no_partner)
+{
+  const auto posed = generated_surfaces::posed_body(3, 7, 4500);
+  const Compared_body a = body(2, 4), b(posed, 1, own_numbers(posed.parts.size()));
+  auto expected = matched_leaves(a, b);
+  Random random(1);
+  auto numbers = own_numbers(posed.parts.size());
+  random.shuffle(numbers);
+  const Compared_body other(posed, 1e150, numbers);
+  auto found = matched_leaves(a, other), turned = matched_leaves(b, a);
+  for(auto& [leaf_a, leaf_b] : expected)
+    leaf_b = numbers[leaf_b];
+  BOOST_TEST((found == expected));
+  for(auto& [leaf_b, leaf_a] : turned)
+    std::swap(leaf_b = numbers[leaf_b], leaf_a);
+  std::sort(expected.begin(), expected.end());
+  std::sort(turned.begin(), turned.end());
+  BOOST_TEST((turned == expected));
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_matched_is_refused)
+{
+  const Compared_body a = body(0, 0);
+  std::vector<std::pair<boost::graph_traits<Graph>::edge_descriptor, boost::graph_traits<Graph>::edge_descriptor>> none;
+  const auto match = [&](const Compared_body& other, double price) {
+    CGAL::Reeb_graph::match_arcs(a.graph, a.augmentation(), other.graph, other.augmentation(), std::back_inserter(none),
+                                 CGAL::parameters::price_alone(price));
+  };
+  BOOST_CHECK_THROW(match(a, -1), CGAL::Reeb_graph::Parameter_error);
+  Compared_body noisy = body(0, 0);
+  Random random(0);
+  for(const auto v : vertices(noisy.mesh))
+    noisy.field[v] = static_cast<double>(random.below(1000000));
+  CGAL::compute_reeb_graph(noisy.mesh, noisy.field, noisy.graph);
+  BOOST_CHECK_THROW(match(noisy, 1), CGAL::Reeb_graph::Too_many_arcs_error);
+  BOOST_TEST(none.empty());
+  match(a, 0); // nothing is as near as that but what is equal
+  BOOST_TEST(none.size() == num_edges(a.graph));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
