@@ -163,4 +163,17 @@ bool assemble_surface(const Polygon_soup& soup, Surface& surface)
   return true;
 }
 
+Polygon_soup soup_of(const Surface& surface)
+{
+  Polygon_soup soup;
+  soup.points.assign(surface.points().begin(), surface.points().end());
+  for(const Surface::Face_index f : surface.faces())
+  {
+    for(const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(f)))
+      soup.polygons.add_corner(v);
+    soup.polygons.end_polygon();
+  }
+  return soup;
+}
+
 } // namespace reeb_graph_program

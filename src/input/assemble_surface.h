@@ -23,10 +23,16 @@ namespace reeb_graph_program {
 // as long. Vertices of faces have to exist, and no face may have one of them twice.
 bool assemble_surface(const Polygon_soup& soup, Surface& surface);
 
+// The points and faces of a surface.
+Polygon_soup soup_of(const Surface& surface);
+
 // Cuts each polygon of n corners into n - 2 triangles, in its place, whose corners are all of its own. A new edge joins no
 // two vertices that another edge joins, where that can be avoided: the surface stays what it is. Returns the number of
-// the first polygon that cannot be cut: one without area, or one of more than 500 corners whose projection crosses itself.
+// the first polygon that cannot be cut: one without area.
 std::optional<std::size_t> triangulate_faces(Polygon_soup& soup);
+
+// Cuts some of the polygons in the same way, whose area does not matter.
+void cut_into_triangles(Polygon_soup& soup, const std::vector<char>& is_meant);
 
 // Fills borders of at most so many edges with triangles, flat where the border is, unless they would need an edge that is
 // there: then they meet in the center of the border, a vertex that is added, with two vertices of the border as origins.

@@ -13,7 +13,7 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
+#include <CGAL/Reeb_graph/handles/internal/triangulate_disc.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
@@ -98,30 +98,22 @@ public:
     if(size_ == 4)
       return triangles_of_quadrilateral();
     std::vector<Corners> result = triangles_in_plane();
-    return (result.empty() || is_any_taken(result)) && size_ <= most_corners ? triangles_in_space() : result;
+    return result.empty() || is_any_taken(result) ? triangles_in_space() : result;
   }
 
-  // Those of CGAL's hole filling, or where a diagonal is there or it finds none, those of least area.
+  // A disc of little area, if there is one without diagonals that are there, else with such.
   std::vector<Corners> triangles_in_space() const
   {
     std::vector<CGAL::Reeb_graph::internal::Disc_point> points;
     for(const Vector& corner : corners_)
       points.push_back(CGAL::ORIGIN + (corner - corners_[0]));
     std::vector<Corners> result;
-    auto places = points;
-    std::sort(places.begin(), places.end());
-    if(std::adjacent_find(places.begin(), places.end()) == places.end()) // else a part can be missing
-      result = CGAL::Reeb_graph::internal::triangulate_disc(points, third_points_);
-    if(result.size() + 2 != size_)
-      result.clear();
+    for(const bool is_free : {true, false})
+      if(result.empty())
+        result = CGAL::Reeb_graph::internal::triangulate_disc(
+          points, third_points_, [&](std::size_t i, std::size_t j) { return is_free && is_taken(i, j); });
     for(Corners& triangle : result)
       std::sort(triangle.begin(), triangle.end());
-    for(const bool is_free : {true, false})
-      if((result.empty() || (is_free && is_any_taken(result))) && size_ <= most_corners)
-        if(std::vector<Corners> others = CGAL::Reeb_graph::internal::triangulate_disc_without(
-             points, [&](std::size_t i, std::size_t j) { return is_free && is_taken(i, j); });
-           !others.empty())
-          result = std::move(others);
     return result;
   }
 
@@ -146,7 +138,11 @@ public:
 
 private:
   bool is_side(std::size_t i, std::size_t j) const { return j == i + 1 || (i == 0 && j + 1 == size_); }
-  bool is_taken(std::size_t i, std::size_t j) const { return !is_side(i, j) && taken_.has(vertex(i), vertex(j)); }
+  bool is_taken(std::size_t i, std::size_t j) const
+  {
+    const auto [least, most] = std::minmax(i, j);
+    return !is_side(least, most) && taken_.has(vertex(i), vertex(j));
+  }
 
   Vector normal(std::size_t i, std::size_t j, std::size_t k) const
   {
@@ -240,8 +236,6 @@ private:
       }
   }
 
-  static constexpr std::size_t most_corners = 500; // which take a second
-
   Polygons::Polygon polygon_;
   const Taken_edges& taken_;
   std::size_t size_;
@@ -318,36 +312,57 @@ std::size_t fill_borders(Polygon_soup& soup, std::size_t most_edges, std::vector
   return borders.size();
 }
 
-std::optional<std::size_t> triangulate_faces(Polygon_soup& soup)
+namespace {
+// Cuts the polygons for which is_meant(number) holds. Returns the number of the first one that cannot be cut.
+template <class Is_meant, class Cut>
+std::optional<std::size_t> cut_polygons(Polygon_soup& soup, const Is_meant& is_meant, const Cut& cut_polygon)
 {
-  if(soup.polygons.are_triangles())
-    return std::nullopt;
   Taken_edges taken(soup);
-  Polygons triangles;
+  Polygons polygons;
   std::vector<std::size_t> copies;
-  triangles.reserve(soup.polygons.number_of_corners() - 2 * soup.polygons.size());
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
   {
-    if(soup.polygons[i].size() == 3)
+    const std::size_t number = soup.copies.empty() ? 1 : soup.copies[i];
+    if(soup.polygons[i].size() == 3 || !is_meant(i))
     {
-      triangles.add(soup.polygons[i]);
-      copies.push_back(soup.copies.empty() ? 1 : soup.copies[i]);
+      polygons.add(soup.polygons[i]);
+      copies.push_back(number);
       continue;
     }
     const Polygon_cut cut(soup.points, soup.polygons[i], taken);
-    const std::vector<Corners> pieces = cut.triangles();
+    const std::vector<Corners> pieces = cut_polygon(cut);
     if(pieces.empty())
       return i;
     for(const Corners& piece : pieces)
     {
-      triangles.add(std::array<Corner, 3>{cut.vertex(piece[0]), cut.vertex(piece[1]), cut.vertex(piece[2])});
-      copies.push_back(soup.copies.empty() ? 1 : soup.copies[i]);
+      polygons.add(std::array<Corner, 3>{cut.vertex(piece[0]), cut.vertex(piece[1]), cut.vertex(piece[2])});
+      copies.push_back(number);
       cut.visit_diagonals(piece, [&](Corner u, Corner v) { taken.insert(u, v); });
     }
   }
-  soup.polygons = std::move(triangles);
+  soup.polygons = std::move(polygons);
   soup.copies = std::move(copies);
   return std::nullopt;
+}
+
+} // namespace
+
+std::optional<std::size_t> triangulate_faces(Polygon_soup& soup)
+{
+  if(soup.polygons.are_triangles())
+    return std::nullopt;
+  return cut_polygons(
+    soup, [](std::size_t) { return true; }, [](const Polygon_cut& cut) { return cut.triangles(); });
+}
+
+void cut_into_triangles(Polygon_soup& soup, const std::vector<char>& is_meant)
+{
+  cut_polygons(
+    soup, [&](std::size_t i) { return is_meant[i] != 0; },
+    [](const Polygon_cut& cut) {
+      const std::vector<Corners> triangles = cut.triangles();
+      return triangles.empty() ? cut.triangles_in_space() : triangles;
+    });
 }
 
 } // namespace reeb_graph_program

@@ -8,6 +8,7 @@ reads and writes.
 import math
 import os
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -40,6 +41,7 @@ commands.update({
                 near_linear),
     "repair": (["repair", "{mesh}", "--all", "--least-piece", "0.01", "--fill", "50", "--output", "out.ply"],
                near_linear),
+    "repair --fill": (["repair", "{mesh}", "--fill", "1000000", "--output", "out.ply"], near_linear),
     "skeleton": (["skeleton", "{mesh}", "--output", "s.swc", "s.vtp", "s.csv", "s.graphml", "--mesh-out", "mesh.vtp",
                   "--pieces", "pieces"], near_linear),
     "field height": (["field", "{mesh}", "--type", "height", "--output", "f.txt"], near_linear),
@@ -56,9 +58,34 @@ commands["curves disks"] = (["curves", "{mesh}", "--type", "disks", "--vertex-ma
                             near_linear)
 
 
+rough_border = "rough border"
+
+
+def write_rough_border(stem, size):
+    """A cylinder of three rings with noise, in whose borders few edges are those of a Delaunay triangulation; the height as
+    field."""
+    numbers = random.Random(size)
+    edges = size // 3
+    lines, values = [f"OFF\n{3 * edges} {4 * edges} 0"], []
+    for ring in range(3):
+        for i in range(edges):
+            radius, angle = numbers.uniform(0.5, 1.2), 2 * math.pi * i / edges
+            values.append(ring + numbers.uniform(0, 0.2))
+            lines.append(f"{radius * math.cos(angle)} {radius * math.sin(angle)} {values[-1]}")
+    for ring in range(2):
+        for i in range(edges):
+            a, b = ring * edges + i, ring * edges + (i + 1) % edges
+            lines += [f"3 {a} {b} {b + edges}", f"3 {a} {b + edges} {a + edges}"]
+    pathlib.Path(f"{stem}.off").write_text("\n".join(lines) + "\n")
+    pathlib.Path(f"{stem}.txt").write_text("\n".join(map(str, values)) + "\n")
+    pathlib.Path(f"{stem}.name").write_text(rough_border)
+
+
 def is_meant(surface, command):
     """Curves on noise are much longer than the mesh is large, and so are pants of plates; other surfaces have none.
     Handles in their thousands take cubic time: the rows of functions have them on smaller surfaces."""
+    if surface == rough_border:
+        return command in ("repair --fill", "skeleton", "handles")
     if command == "handles":
         return "genus k^2" not in surface
     if command.startswith("curves"):
@@ -95,13 +122,14 @@ def main():
         for factor in (1, 2, 4):
             os.mkdir(f"{folder}/{factor}")
             subprocess.run([surfaces, "--write", f"{folder}/{factor}", str(factor * vertices)], check=True)
-        for number, name_file in enumerate(sorted(pathlib.Path(folder, "1").glob("*.name"))):
+            write_rough_border(f"{folder}/{factor}/rough", factor * vertices)
+        for name_file in sorted(pathlib.Path(folder, "1").glob("*.name")):
             surface = name_file.read_text()
             for name, (command, bound) in commands.items():
                 if not is_meant(surface, name) or name_part not in f"{surface} {name}":
                     continue
                 for _ in range(2):  # others may use the caches
-                    runs = [run(command, f"{folder}/{factor}/{number}") for factor in (1, 2, 4)]
+                    runs = [run(command, f"{folder}/{factor}/{name_file.stem}") for factor in (1, 2, 4)]
                     # A larger graph can have a smaller file, where arcs become straight.
                     growth = max(runs[2][i] / runs[0][i] for i in (1, 2))
                     exponent = math.log(runs[2][0] / runs[0][0]) / math.log(growth)

@@ -108,11 +108,10 @@ private:
 /// \brief what has become of a handle that was to be removed.
 enum class Removal_result
 {
-  REMOVED,        ///< the surface has been cut along the loop, and closed by two discs
-  CROSSES_ITSELF, ///< refused: the loop passes a vertex twice
-  PASSES_HOLE,    ///< refused: the loop passes a vertex of a border
-  NO_DISC, ///< refused: no disc has been found that fills the loop and meets its component nowhere else, or the loop has
-           ///< more than 1000 edges
+  REMOVED,         ///< the surface has been cut along the loop, and closed by two discs
+  CROSSES_ITSELF,  ///< refused: the loop passes a vertex twice
+  PASSES_HOLE,     ///< refused: the loop passes a vertex of a border
+  NO_DISC,         ///< refused: no disc has been found that fills the loop and meets its component nowhere else
   OTHER_COMPONENT, ///< refused: the discs would meet another component
   INTERSECTS       ///< refused: the surface would intersect itself beside the loop
 };

@@ -11,20 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/handles/internal/triangulate_disc.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-
-// With the library, there is no need to read how holes are filled.
-#ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
-// Algorithms of Boost.Graph that look up get() for pointers as they are defined: they come first, as triangulate_hole.h of
-// CGAL 6 includes compressed_sparse_row_graph.hpp, whose boost::detail::get() would hide that function from them.
-#include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/graph/kruskal_min_spanning_tree.hpp>
-
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/utility.h>
-#endif
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/box_intersection_d.h>
@@ -36,8 +25,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -99,92 +86,6 @@ std::vector<Numbered_box> boxes_of_faces_near(const std::vector<Face>& faces,
   return result;
 }
 
-// Triangulating a loop of more edges takes too long, as it takes more than linear time.
-inline constexpr std::size_t largest_loop_of_disc = 1000;
-
-// A disc of triangles with little area that spans a closed polyline, by positions of its points. Empty if there
-// is none, or if the polyline has less than 3 or more than 1000 points. `third_points`, if there are any, are those of the
-// triangles that its segments have on one side: the disc avoids to fold back on these. A template, so that the library can
-// have it.
-typedef std::vector<std::array<std::size_t, 3>> Disc_triangles;
-template <class Polyline>
-Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_points);
-
-#ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
-template <class Polyline>
-Disc_triangles triangulate_disc(const Polyline& polyline, const Polyline& third_points)
-{
-  Disc_triangles result;
-  if(polyline.size() < 3 || polyline.size() > largest_loop_of_disc)
-    return result;
-  // Where only edges of a Delaunay triangulation are tried, addresses in memory decide among discs that are as good as each
-  // other. It pays for long loops only.
-  const auto np = parameters::use_delaunay_triangulation(polyline.size() > 50);
-  std::vector<CGAL::Triple<int, int, int>> triangles;
-  if(third_points.empty())
-    Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(triangles), np);
-  else
-    Polygon_mesh_processing::triangulate_hole_polyline(polyline, third_points, std::back_inserter(triangles), np);
-  for(const auto& t : triangles)
-  {
-    result.push_back(
-      {static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second), static_cast<std::size_t>(t.third)});
-    auto& corners = result.back();
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  }
-  std::sort(result.begin(), result.end()); // Addresses decide on their order and their first corners, too.
-  return result;
-}
-#endif
-
-#define CGAL_REEB_GRAPH_TRIANGULATE_DISC(PREFIX)                                                                       \
-  PREFIX template Disc_triangles triangulate_disc(const std::vector<Disc_point>&, const std::vector<Disc_point>&);
-CGAL_REEB_GRAPH_FOR_LOOPS(CGAL_REEB_GRAPH_TRIANGULATE_DISC)
-
-// The disc of least area whose inner edges join no positions for which is_joined() holds; empty if there is none.
-template <class IsJoined>
-Disc_triangles triangulate_disc_without(const std::vector<Disc_point>& polyline, const IsJoined& is_joined)
-{
-  const std::size_t size = polyline.size();
-  const auto area = [&](std::size_t i, std::size_t k, std::size_t j) {
-    const auto normal = CGAL::cross_product(polyline[k] - polyline[i], polyline[j] - polyline[i]);
-    return std::sqrt(normal.squared_length());
-  };
-  // of the part between two positions: its least area, and the corner of its triangle at the edge between these
-  std::vector<double> areas(size * size, 0);
-  std::vector<std::size_t> apexes(size * size, size);
-  for(std::size_t length = 2; length < size; ++length)
-    for(std::size_t i = 0; i + length != size; ++i)
-    {
-      const std::size_t j = i + length;
-      double& least = areas[i * size + j] = std::numeric_limits<double>::infinity();
-      for(std::size_t k = i + 1; k != j && (length + 1 == size || !is_joined(i, j)); ++k)
-      {
-        const double parts = areas[i * size + k] + areas[k * size + j], sum = parts + area(i, k, j);
-        if(sum < least)
-        {
-          least = sum;
-          apexes[i * size + j] = k;
-        }
-      }
-    }
-  Disc_triangles result;
-  std::vector<std::pair<std::size_t, std::size_t>> edges = {{0, size - 1}};
-  while(!edges.empty())
-  {
-    const auto [i, j] = edges.back();
-    edges.pop_back();
-    if(j - i < 2)
-      continue;
-    const std::size_t k = apexes[i * size + j];
-    if(k == size)
-      return {};
-    result.push_back({i, k, j});
-    edges.insert(edges.end(), {{i, k}, {k, j}});
-  }
-  return result;
-}
-
 // The areas of the discs that fill loops, and do not meet a face but those at vertices of their loops.
 template <class Mesh, class LoopRange, class PointMap>
 std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRange& loops, const PointMap& point_map)
@@ -206,7 +107,7 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
       passed.back().insert(source(h, mesh));
       polyline.push_back(disc_point(get(point_map, source(h, mesh))));
     }
-    for(const auto& t : triangulate_disc(polyline, {}))
+    for(const auto& t : triangulate_disc(polyline, {}, [](std::size_t, std::size_t) { return false; }))
     {
       const Disc_kernel::Triangle_3 triangle(polyline[t[0]], polyline[t[1]], polyline[t[2]]);
       triangle_boxes.push_back(Numbered_box(triangle.bbox(), triangles.size()));
@@ -239,9 +140,9 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
 /// \brief returns the areas of discs that fill loops, where they do.
 ///
 /// A loop that bounds on one side of a surface need not bound a disc there: the tunnel of a knotted torus does not. For
-/// each loop, a disc of triangles with little area is spanned, by `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
-/// If it meets a face of the mesh, but for those with a vertex on the loop, there is no area. Neither is there for a
-/// loop of less than 3 or more than 1000 halfedges. Among discs that are as good as each other, another one can be spanned
+/// each loop, a disc of triangles with little area is spanned, by `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`,
+/// long and rough loops in parts. If it meets a face of the mesh, but for those with a vertex on the loop, there is no area.
+/// Neither is there for a loop of less than 3 halfedges. Among discs that are as good as each other, another one can be spanned
 /// in another run over a loop of more than 50 halfedges; its area differs by rounding.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`

@@ -116,12 +116,8 @@ private:
   void span_disc(const std::vector<Disc_point>& polyline, const std::vector<Disc_point>& third_points)
   {
     disc_.clear();
-    disc_triangles_ = triangulate_disc(polyline, third_points);
-    const auto is_joined = [&](std::size_t i, std::size_t j) { return joined_.count(std::minmax(i, j)) != 0; };
-    if(std::any_of(disc_triangles_.begin(), disc_triangles_.end(), [&](const auto& t) {
-         return is_joined(t[0], t[1]) || is_joined(t[1], t[2]) || is_joined(t[2], t[0]);
-       }))
-      disc_triangles_ = triangulate_disc_without(polyline, is_joined);
+    disc_triangles_ = triangulate_disc(
+      polyline, third_points, [&](std::size_t i, std::size_t j) { return joined_.count(std::minmax(i, j)) != 0; });
     for(auto& t : disc_triangles_)
       std::sort(t.begin(), t.end());
     add_disc(disc_, 0, polyline);
