@@ -152,6 +152,9 @@ void add_field_command(CLI::App& app, Command_options& options)
   command->add_option("--type", options.input.field, "The field, one of the list at the end")
     ->check(CLI::IsMember({"harmonic", "harmonic-between-borders", "poisson", "unit-gradient", "geodesic", "height"}))
     ->required();
+  add_choice(*command, "--unreached", options.input.is_unreached_left, Choices<bool>{{"error", false}, {"nan", true}},
+             "What the vertices of components are without a vertex of --source, or of --min and --max: an error, the "
+             "default, or NaN");
   add_threads_option(*command, options.number_of_threads);
   begin_group(*command, "Output");
   add_output_files(*command, options.output_paths, "Write the field to these files; .npy for NumPy")->required();
@@ -204,25 +207,33 @@ void add_repair_command(CLI::App& app, Repair_command_options& options)
                   "MeshLab's Merge Close Vertices and admesh's --tolerance do: each joins the nearest one before it in "
                   "the file that has joined none")
     ->excludes(merge);
+  command->add_option_function<std::string>(
+    "--stitch", [&repair](const std::string& text) { repair.stitching = parse_size(text); },
+    "Join borders, also at T-junctions: merge points of borders, and cut edges of borders at points of borders, that "
+    "are at "
+    "most so far from each other. X in units of length, or P% of the diagonal of the box of the mesh");
   command->add_flag("--cancel-opposite", repair.are_opposite_faces_cancelled,
                     "Cancel faces with the same corners the other way round, one by one; of a sheet that is listed on "
                     "both sides, one stays");
   command->add_flag("--split", repair.is_split,
                     "Pair faces at edges with more than two, and cut the mesh open at those that are left, at vertices "
                     "whose faces form several fans, and where no orientation agrees");
-  command->add_flag("--orient", repair.are_faces_oriented, "Reverse faces so that neighbors agree");
+  command->add_flag(
+    "--orient", repair.are_faces_oriented,
+    "Reverse faces so that neighbors agree, and turn solids that are inside out, with what lies in them");
   add_real_number(*command, "--least-piece", repair.least_share,
                   "Leave out components with less than this share of the area, 0.01 for a hundredth, and closed ones "
-                  "that have no inside, or are inside out and neither lie in another one nor hold one");
+                  "that have no inside");
   add_whole_number(*command, "--fill", repair.most_filled_edges, "Fill borders of at most so many edges");
   command->add_flag("--largest", repair.is_largest_kept, "Keep the component with the most faces only");
+  command->add_flag("--unused", repair.are_unused_points_left_out, "Leave out points of no face");
   command->add_flag_callback(
     "--all",
     [&repair] {
       repair.are_coinciding_points_merged = repair.are_opposite_faces_cancelled = true;
-      repair.is_split = repair.are_faces_oriented = true;
+      repair.is_split = repair.are_faces_oriented = repair.are_unused_points_left_out = true;
     },
-    "The same as --merge --cancel-opposite --split --orient");
+    "The same as --merge --cancel-opposite --split --orient --unused");
   begin_group(*command, "Output");
   add_output_files(
     *command, options.output_paths,

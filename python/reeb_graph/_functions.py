@@ -22,6 +22,10 @@ def _vertex_numbers(given: Any, name: str) -> list[int]:
     return array.astype(int).tolist()
 
 
+def _is_left(unreached: str) -> bool:
+    return _arrays.one_of(unreached, ("error", "nan"), "unreached") == "nan"
+
+
 def _field(
     name: str, mesh: _arrays.Mesh, threads: Any = None, progress: Any = None, scalars: Any = None, **settings: Any
 ) -> np.ndarray:
@@ -37,7 +41,8 @@ def _field(
 
 def harmonic(
     triangles: Any, points: Any = None, *, minimum: int | None = None, maximum: int | None = None,
-    weights: str = "mean-value", between_borders: bool = False, threads: int | None = None, progress: Progress = None,
+    weights: str = "mean-value", between_borders: bool = False, unreached: str = "error", threads: int | None = None,
+    progress: Progress = None,
 ) -> np.ndarray:
     """Compute a harmonic field: on each component it has one minimum, one maximum, and no other extremum.
 
@@ -51,6 +56,8 @@ def harmonic(
     weights : {'mean-value', 'cotangent', 'uniform'}
     between_borders : bool
         Whether the borders are the extrema instead.
+    unreached : {'error', 'nan'}
+        What components without `minimum` and `maximum` are.
     threads, progress
         As for `compute`, here and below.
 
@@ -67,19 +74,22 @@ def harmonic(
     settings: dict[str, Any] = {"weights": _arrays.one_of(weights, ("mean-value", "cotangent", "uniform"), "weights")}
     if minimum is not None:
         settings["minimum"], settings["maximum"] = _vertex_numbers([minimum, maximum], "minimum and maximum")
+        settings["unreached_left"] = _is_left(unreached)
     name = "harmonic-between-borders" if between_borders else "harmonic"
     return _field(name, _arrays.take(triangles, points), threads, progress, **settings)
 
 
 def poisson(
-    triangles: Any, points: Any = None, *, sources: Any = (), threads: int | None = None, progress: Progress = None
+    triangles: Any, points: Any = None, *, sources: Any = (), unreached: str = "error", threads: int | None = None,
+    progress: Progress = None,
 ) -> np.ndarray:
     """Compute the field whose Laplacian is the mean curvature.
 
     The parameters and the result are those of `geodesic`, but for edges and tetrahedra.
     """
     mesh = _arrays.take(triangles, points)
-    return _field("poisson", mesh, threads, progress, sources=_vertex_numbers(sources, "sources"))
+    return _field("poisson", mesh, threads, progress, sources=_vertex_numbers(sources, "sources"),
+                  unreached_left=_is_left(unreached))
 
 
 def unit_gradient(
@@ -94,7 +104,7 @@ def unit_gradient(
 
 def geodesic(
     triangles: Any, points: Any = None, *, sources: Any = (), edges: Any = None, tetrahedra: Any = None,
-    threads: int | None = None, progress: Progress = None,
+    unreached: str = "error", threads: int | None = None, progress: Progress = None,
 ) -> np.ndarray:
     """Compute the distance on the surface from vertices; along edges, if the mesh is not an oriented manifold surface.
 
@@ -105,6 +115,8 @@ def geodesic(
     sources : int or sequence of int
         The vertices where it is 0; by default one in each component, far from another one.
     edges, tetrahedra : arrays of integers, optional
+    unreached : {'error', 'nan'}
+        What components without a source are.
 
     Returns
     -------
@@ -116,7 +128,8 @@ def geodesic(
     By a marching front: M. Novotni, R. Klein, *Computing Geodesic Distances on Triangular Meshes*, 2002.
     """
     mesh = _arrays.take(triangles, points, edges, tetrahedra)
-    return _field("geodesic", mesh, threads, progress, sources=_vertex_numbers(sources, "sources"))
+    return _field("geodesic", mesh, threads, progress, sources=_vertex_numbers(sources, "sources"),
+                  unreached_left=_is_left(unreached))
 
 
 def height(triangles: Any, points: Any = None, direction: Any = (0, 0, 1)) -> np.ndarray:
@@ -152,8 +165,8 @@ class Repaired(NamedTuple):
 
 def repair(
     triangles: Any, points: Any = None, *, merge: bool = False, merge_within: float | None = None,
-    cancel_opposite: bool = False, split: bool = False, orient: bool = False, least_piece: float = 0, fill: int = 0,
-    largest: bool = False, all: bool = False, threads: int | None = None, progress: Progress = None,
+    stitch: float | str | None = None, cancel_opposite: bool = False, split: bool = False, orient: bool = False,
+    least_piece: float = 0, fill: int = 0, largest: bool = False, unused: bool = False, all: bool = False, threads: int | None = None, progress: Progress = None,
 ) -> Repaired:
     """Leave out triangles with a repeated corner and repeated ones, and do more if asked to, in the order of parameters.
 
@@ -167,6 +180,10 @@ def repair(
     merge_within : float, optional
         Points of border edges that are at most so far apart become one: each joins the nearest one before it that has
         joined none, never in chains. The one with the lowest number stays.
+    stitch : float or str, optional
+        Borders are joined, also where points of one lie on edges of the other: points of borders that are at most so far
+        apart become one, and edges of borders are cut at points of borders that are at most so far from them. A length, or,
+        as "0.1%", a share of the diagonal of the box.
     cancel_opposite : bool
         Whether triangles with the same corners cancel each other one by one, one way round against the other. Where a whole
         component would go, one side of it stays.
@@ -174,16 +191,18 @@ def repair(
         Whether triangles are paired at edges with more than two, and the mesh is cut open at those that are left, at
         vertices with several fans, and where no orientation agrees. Points that are added come last.
     orient : bool
-        Whether triangles are reversed so that neighbors agree.
+        Whether triangles are reversed so that neighbors agree, and solids that are inside out are turned, with what lies
+        in them.
     least_piece : float
-        The share of the area from which on components stay. If it is not 0, closed ones go, too, that have no inside, or
-        are inside out and neither lie in another one nor hold one.
+        The share of the area from which on components stay. If it is not 0, closed ones go, too, that have no inside.
     fill : int
         Borders of at most so many edges are filled, as by CGAL.
     largest : bool
         Whether only the component with the most triangles stays.
+    unused : bool
+        Whether points of no triangle are left out.
     all : bool
-        The same as `merge`, `cancel_opposite`, `split` and `orient`.
+        The same as `merge`, `cancel_opposite`, `split`, `orient` and `unused`.
     threads, progress
         As for `compute`.
 
@@ -199,8 +218,9 @@ def repair(
         raise ValueError("merge and merge_within do not go together")
     distance = None if merge_within is None else float(merge_within)
     fill = _arrays.count_of(fill, "fill", 0)
-    options = _core.RepairOptions(bool(merge or all), distance, bool(cancel_opposite or all), False, bool(split or all),
-                                  bool(orient or all), float(least_piece), fill, bool(largest))
+    stitch = stitch if stitch is None or isinstance(stitch, str) else float(stitch)
+    options = _core.RepairOptions(bool(merge or all), distance, stitch, bool(cancel_opposite or all), bool(split or all),
+                                  bool(orient or all), float(least_piece), fill, bool(largest), bool(unused or all))
     result = run(_core.repair, mesh.checked(len(mesh.points)), len(mesh.points), options, threads=threads, progress=progress, name="repair")
     return Repaired(*result)
 

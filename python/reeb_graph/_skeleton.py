@@ -141,7 +141,7 @@ def skeleton(
     values = None if scalars is None else _arrays.doubles(_arrays.scalars_of(mesh, scalars))
     number = len(mesh.points if values is None else values)
     settings = _core.SkeletonSettings(float(pruning_ratio), float(sampling_ratio), bool(ends_at_borders), float(smooth))
-    repairs = _core.RepairOptions(True, None, True, False, not strict, True, float(least_piece), 0, False)
+    repairs = _core.RepairOptions(True, None, None, True, not strict, True, float(least_piece), 0, False, False)
     arguments = mesh.checked(number), number, values, settings, repairs
     found = run(_core.skeleton, *arguments, threads=threads, progress=progress, name="skeleton")
     of_points, radii, inscribed_radii, arcs, vertex_map, counts, branches, *flags = found

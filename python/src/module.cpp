@@ -285,7 +285,7 @@ py::object field(const Mesh_arrays& arrays,
     if(options.field == "with level borders")
       CGAL::Reeb_graph::make_borders_level(mesh.surface, map);
     else if(mesh.complex && options.field == "geodesic")
-      compute_distances_along_edges(mesh, options.source_vertices, map);
+      compute_distances_along_edges(mesh, options, map, report);
     else
       compute_scalar_field(options, mesh.surface, map, report);
     values = values_of(map);
@@ -623,6 +623,7 @@ void add_functions(py::module_& module)
     .def_readwrite("minimum", &Input_options::lowest_vertex)
     .def_readwrite("maximum", &Input_options::highest_vertex)
     .def_readwrite("sources", &Input_options::source_vertices)
+    .def_readwrite("unreached_left", &Input_options::is_unreached_left)
     .def_readwrite("direction", &Input_options::direction);
   py::class_<Cut_options>(module, "CutOptions")
     .def(py::init([](Curves_type type, std::optional<double> persistence, std::optional<double> area, bool is_cut_open,
@@ -637,7 +638,21 @@ void add_functions(py::module_& module)
     .value("pants", Curves_type::PANTS)
     .value("branches", Curves_type::BRANCH);
   py::class_<Repair_options>(module, "RepairOptions")
-    .def(py::init<bool, std::optional<double>, bool, bool, bool, bool, double, std::size_t, bool>());
+    .def(py::init([](bool are_coinciding_points_merged, std::optional<double> distance, const Number_or_text& stitching,
+                     bool are_opposite_faces_cancelled, bool is_split, bool are_faces_oriented, double least_share,
+                     std::size_t most_filled_edges, bool is_largest_kept, bool are_unused_points_left_out) {
+      return Repair_options{are_coinciding_points_merged,
+                            distance,
+                            threshold_of(stitching, &parse_size),
+                            are_opposite_faces_cancelled,
+                            false,
+                            is_split,
+                            are_faces_oriented,
+                            least_share,
+                            most_filled_edges,
+                            is_largest_kept,
+                            are_unused_points_left_out};
+    }));
   module.def("read", &read);
   module.def("repair", &repair);
   module.def("handles", &handles);

@@ -118,7 +118,16 @@ def test_repair(tmp_path):
     fin = [*TRIANGLES[1:], TRIANGLES[0], TRIANGLES[0][::-1], TRIANGLES[0]]
     assert len(reeb_graph.repair(fin, POINTS, cancel_opposite=True).triangles) == len(TRIANGLES)
     assert len(reeb_graph.repair(fin[:-2], POINTS, fill=3, least_piece=0.01, all=True).triangles) == len(TRIANGLES)
-    for wrong in ({"merge_within": 0}, {"merge_within": -1}, {"merge_within": np.nan}, {"merge": True, "merge_within": 1},
+    # triangles with corners of their own, and a point of none
+    pieces = [[0, 1, 2], [0, 2, 3], [1, 4, 2], [5, 3, 2], [5, 6, 3]]
+    places = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0], [1, 1, 0], [0, 2, 1], [9, 9, 9]]
+    for stitch in (1e-6, "0.1%"):
+        assert len(reeb_graph.repair(pieces, places, stitch=stitch).points) == 7
+        assert len(reeb_graph.repair(pieces, places, stitch=stitch, unused=True).points) == 6
+    junction = [[0, 0, 0], [2, 0, 0], [0, 1, 1], [1, 0, 0], [1, -1, 0]]
+    stitched = reeb_graph.repair([[0, 1, 2], [3, 0, 4], [1, 3, 4]], junction, stitch=1e-9)
+    assert len(stitched.triangles) == 4 and np.array_equal(stitched.points, junction)
+    for wrong in ({"stitch": 0}, {"stitch": "x"}, {"stitch": -1}, {"merge_within": 0}, {"merge_within": -1}, {"merge_within": np.nan}, {"merge": True, "merge_within": 1},
                   {"least_piece": 2}, {"fill": -1}):
         with pytest.raises(ValueError):
             reeb_graph.repair(TRIANGLES, POINTS, **wrong)

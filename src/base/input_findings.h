@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_INPUT_FINDINGS_H
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,10 @@ struct Close_points
   std::size_t coinciding = 0;  // with another one
   std::size_t close = 0;       // to another one elsewhere
   double largest_distance = 0; // that counts as close: a millionth of the diagonal of the box of all points
+  std::size_t on_edges = 0;    // on the inside of a border edge, or as close to it: T-junctions
   double needed_distance = 0;  // at which repair joins these, a power of ten; 0 if all coincide
 
-  bool is_any() const { return coinciding + close > 0; }
+  bool is_any() const { return coinciding + close + on_edges > 0; }
 };
 
 // What was seen when a mesh was read. Faces with a repeated corner or fewer than three, and those that repeat an earlier
@@ -35,6 +37,7 @@ struct Input_findings
   std::size_t faces_of_few_corners = 0;        // of the degenerate ones, those with fewer than three
   std::size_t points = 0, isolated_points = 0; // of no face, edge, or tetrahedron
   Close_points close_points;
+  std::optional<std::size_t> inside_out_solids; // if they have been looked for
 
   bool is_point_cloud() const { return points > 0 && isolated_points == points; }
   std::size_t kept_faces() const { return faces - degenerate_faces.size() - repeated_faces.size(); }
@@ -70,15 +73,18 @@ struct Soup_counts
 struct Repair_counts
 {
   std::size_t merged_points = 0, unmerged_points = 0; // the latter coincide with others
+  std::size_t stitched_points = 0;                    // that cut an edge
   std::size_t collapsed_faces = 0;                    // that a merged point is at two corners of
   std::size_t faces_repeated_by_merging = 0;
   std::size_t cancelled_faces = 0, sheets = 0;       // components that are both sides of a sheet, of which one stays
   std::size_t paired_edges = 0, unpaired_sides = 0;  // of more than two faces: with pairs, and sides that are cut open
   std::size_t added_points = 0, added_midpoints = 0; // by splitting: the latter are no copies
-  std::size_t reversed_faces = 0;
+  std::size_t reversed_faces = 0;                    // so that neighbors agree
+  std::size_t turned_solids = 0;                     // that were inside out, with all that lies in them
   std::size_t small_pieces = 0, pieces_without_volume = 0, faces_of_pieces = 0;
   std::size_t filled_borders = 0, filling_faces = 0;
   std::size_t other_faces = 0;       // than of the largest component
+  std::size_t unused_points = 0;     // of no face, that are left out
   Soup_counts given, merged, result; // given: but for the faces that are left out
 };
 

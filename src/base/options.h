@@ -32,7 +32,8 @@ struct Input_options
   std::string weights; // of harmonic fields: mean-value, cotangent, or uniform; empty for the default
   std::optional<std::size_t> lowest_vertex, highest_vertex;
   std::vector<std::size_t> source_vertices;
-  std::vector<double> direction; // empty or three coordinates
+  bool is_unreached_left = false; // components without a vertex whose value is given are NaN
+  std::vector<double> direction;  // empty or three coordinates
   bool are_faces_triangulated = false;
   bool is_strict = false;   // a mesh that is no surface is refused where one is needed
   bool is_repaired = false; // one is needed, and made of what is read

@@ -12,6 +12,7 @@
 #include "computation/handles.h"
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
+#include "input/repair_soup.h"
 #include "output/graph_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
@@ -100,6 +101,7 @@ void run_handles(const Handles_options& options)
   Mesh mesh;
   mesh.surface = read_surface("handles", input, report);
   Surface& surface = mesh.surface;
+  report.input->inside_out_solids = count_inside_out_solids(surface);
   const Scalar_map scalar_map =
     timed(report, "field", [&] { return add_field_or_height(options.input, surface, report); });
   if(is_any_removed(options))

@@ -121,6 +121,7 @@ void run_repair(const Repair_command_options& options)
       soup = std::move(triangles);
   }
   look_over_points(soup, border_points(soup.polygons), findings);
+  findings.inside_out_solids = find_inside_out(soup).solids;
   report.input = findings;
   report.notes = soup.notes;
   report.lines_left_out = soup.edges.size();

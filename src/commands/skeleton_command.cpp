@@ -10,6 +10,7 @@
 #include "commands/commands.h"
 #include "computation/skeleton.h"
 #include "input/field_input.h"
+#include "input/repair_soup.h"
 #include "output/graph_output.h"
 #include "output/mesh_output.h"
 #include "output/output_file.h"
@@ -65,6 +66,10 @@ void run_skeleton(const Skeleton_command_options& options)
   if(!has_field(input))
     input.field = "geodesic";
   Surface surface = read_surface("skeleton", input, report);
+  if(surface.number_of_faces() == 0)
+    throw std::runtime_error(report.input->kept_faces() == 0 ? "the mesh has no faces, and so no skeleton"
+                                                             : "repairing leaves no faces, and so no skeleton");
+  report.input->inside_out_solids = count_inside_out_solids(surface);
   std::optional<Scalar_map> scalar_map;
   if(has_field(options.input))
     scalar_map = timed(report, "field", [&] { return add_field(input, surface, report); });
@@ -90,7 +95,10 @@ void run_skeleton(const Skeleton_command_options& options)
   if(!options.mesh_path.empty())
     write_skeleton_mesh(options.mesh_path, surface, report.skeleton);
   if(!options.pieces_path.empty())
+  {
     write_pieces(options.pieces_path, surface, report.skeleton.face_arcs);
+    note_branches_without_face(report.skeleton, report.notes);
+  }
   if(!options.page_path.empty())
   {
     const auto& known = report.skeleton.certificate;

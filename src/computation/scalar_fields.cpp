@@ -101,53 +101,120 @@ std::vector<double> distances_from(const Surface& surface, Edges edges, const st
   return distances;
 }
 
-// A vertex of each component that is farthest away from its first one.
-std::vector<std::size_t> far_sources(const Surface& surface, const Edges& edges)
+// The connected components, in the order of their first vertices.
+class Components
 {
-  boost::disjoint_sets_with_storage<> components(surface.number_of_vertices());
-  for(const auto& [u, v] : edges)
-    components.union_set(u, v);
-  std::vector<std::size_t> first(surface.number_of_vertices(), no_vertex), firsts;
-  for(std::size_t v = 0; v < first.size(); ++v)
-    if(first[components.find_set(v)] == no_vertex)
+public:
+  Components(const Edges& edges, std::size_t number_of_vertices) : numbers_(number_of_vertices)
+  {
+    boost::disjoint_sets_with_storage<> sets(number_of_vertices);
+    for(const auto& [u, v] : edges)
+      sets.union_set(u, v);
+    std::vector<std::size_t> numbers(number_of_vertices, no_vertex); // by representative
+    for(std::size_t v = 0; v < number_of_vertices; ++v)
     {
-      first[components.find_set(v)] = v;
-      firsts.push_back(v);
+      std::size_t& number = numbers[sets.find_set(v)];
+      if(number == no_vertex)
+      {
+        number = firsts_.size();
+        firsts_.push_back(v);
+      }
+      numbers_[v] = number;
     }
-  const std::vector<double> distances = distances_from(surface, edges, firsts);
-  std::vector<std::size_t>& farthest = first;
+  }
+
+  const std::vector<std::size_t>& firsts() const { return firsts_; }
+  std::size_t size() const { return firsts_.size(); }
+  std::size_t operator[](std::size_t vertex) const { return numbers_[vertex]; }
+
+private:
+  std::vector<std::size_t> numbers_, firsts_;
+};
+
+// A vertex of each component that is farthest away from its first one.
+std::vector<std::size_t> far_sources(const Surface& surface, const Edges& edges, const Components& components)
+{
+  const std::vector<double> distances = distances_from(surface, edges, components.firsts());
+  std::vector<std::size_t> farthest = components.firsts();
   for(std::size_t v = 0; v < distances.size(); ++v)
   {
-    std::size_t& best = farthest[components.find_set(v)];
+    std::size_t& best = farthest[components[v]];
     best = distances[v] > distances[best] ? v : best;
   }
-  std::vector<std::size_t> sources;
-  std::copy_if(farthest.begin(), farthest.end(), std::back_inserter(sources),
-               [](std::size_t v) { return v != no_vertex; });
-  std::sort(sources.begin(), sources.end());
-  return sources;
+  std::sort(farthest.begin(), farthest.end());
+  return farthest;
+}
+
+// The vertices of components without a source, that is, without a vertex whose value is given.
+struct Unreached
+{
+  std::vector<std::size_t> firsts; // one of each component
+  std::vector<std::size_t> vertices;
+
+  void set_nan(Scalar_map scalar_map) const
+  {
+    for(const std::size_t v : vertices)
+      scalar_map[Vertex(static_cast<Surface::size_type>(v))] = std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
+// Throws std::runtime_error if there are any, unless they may be left: then the report says so.
+Unreached find_unreached(const Components& components,
+                         std::size_t number_of_vertices,
+                         const std::vector<std::size_t>& sources,
+                         const Input_options& options,
+                         Work_report& report)
+{
+  constexpr std::size_t most_names = 8;
+  std::vector<char> is_reached(components.size(), 0);
+  for(const std::size_t source : sources)
+    is_reached[components[source]] = 1;
+  Unreached unreached;
+  std::string names;
+  for(std::size_t i = 0; i < components.size(); ++i)
+    if(is_reached[i] == 0)
+    {
+      unreached.firsts.push_back(components.firsts()[i]);
+      if(unreached.firsts.size() <= most_names)
+        names += (names.empty() ? "component " : ", component ") + std::to_string(i) + ", that of vertex "
+               + std::to_string(components.firsts()[i]);
+    }
+  for(std::size_t v = 0; v < number_of_vertices; ++v)
+    if(is_reached[components[v]] == 0)
+      unreached.vertices.push_back(v);
+  const std::size_t number = unreached.firsts.size();
+  if(number == 0)
+    return unreached;
+  const std::string description = names
+                                + (number > most_names ? ", and " + std::to_string(number - most_names) + " more" : "")
+                                + (number == 1 ? ", has" : ", have") + " no vertex whose value is given";
+  if(!options.is_unreached_left)
+    throw std::runtime_error(description + "; reeb_graph field --unreached nan leaves " + (number == 1 ? "it" : "them")
+                             + " NaN, and reeb_graph repair --unused leaves out points " + "of no face");
+  report.notes.push_back(description + ": NaN");
+  return unreached;
 }
 
 } // namespace
 
 std::vector<std::size_t> compute_distances_along_edges(const Mesh& mesh,
-                                                       std::vector<std::size_t> sources,
-                                                       Scalar_map scalar_map)
+                                                       const Input_options& options,
+                                                       Scalar_map scalar_map,
+                                                       Work_report& report)
 {
   const Surface& surface = mesh.surface;
+  std::vector<std::size_t> sources = options.source_vertices;
   for(const std::size_t source : sources)
     vertex(surface, source);
   const Edges edges = directed_edges(*mesh.complex);
+  const Components components(edges, surface.number_of_vertices());
   if(sources.empty())
-    sources = far_sources(surface, edges);
+    sources = far_sources(surface, edges, components);
+  const Unreached unreached = find_unreached(components, surface.number_of_vertices(), sources, options, report);
   const std::vector<double> distances = distances_from(surface, edges, sources);
   for(const Surface::Vertex_index v : surface.vertices())
-  {
-    if(!std::isfinite(distances[v]))
-      throw std::runtime_error("no edges lead from a source to vertex " + std::to_string(v.idx())
-                               + ": --source needs a vertex of each component");
     scalar_map[v] = distances[v];
-  }
+  unreached.set_nan(scalar_map);
   return sources;
 }
 
@@ -164,6 +231,32 @@ std::vector<std::pair<Vertex, Vertex>> far_apart_vertices(const Surface& surface
 }
 
 typedef std::vector<std::pair<Vertex, double>> Constraints;
+
+// The components that none of the given vertices are in.
+Unreached find_unreached(const Surface& surface,
+                         const Constraints& given,
+                         const Input_options& options,
+                         Work_report& report)
+{
+  if(options.source_vertices.empty() && !options.lowest_vertex)
+    return {}; // There is one in each component.
+  Edges edges;
+  for(const Surface::Edge_index e : surface.edges())
+    edges.emplace_back(surface.vertex(e, 0), surface.vertex(e, 1));
+  std::vector<std::size_t> sources;
+  for(const auto& constraint : given)
+    sources.push_back(constraint.first);
+  return find_unreached(Components(edges, surface.number_of_vertices()), surface.number_of_vertices(), sources, options,
+                        report);
+}
+
+// The constraints, and any value where nothing reaches.
+Constraints with_unreached(Constraints constraints, const Unreached& unreached)
+{
+  for(const std::size_t v : unreached.firsts)
+    constraints.emplace_back(static_cast<Surface::size_type>(v), 0);
+  return constraints;
+}
 
 // The value 0 at the vertices that are given, else at one in each component, far away from another one.
 Constraints sources(const Input_options& options, const Surface& surface)
@@ -211,13 +304,20 @@ Fixed_values fixed_values(const std::string& field, const Surface& surface, cons
   return fixed;
 }
 
-void compute_harmonic(const Input_options& options, const Surface& surface, Scalar_map scalar_map, Work_report& report)
+// Returns the vertices that no value reaches.
+Unreached compute_harmonic(const Input_options& options,
+                           const Surface& surface,
+                           Scalar_map scalar_map,
+                           Work_report& report)
 {
   const Constraints constraints = poles(options, surface);
+  const Unreached unreached = find_unreached(surface, constraints, options, report);
   Progress_bar progress_bar("harmonic field");
   const auto np = CGAL::parameters::laplacian_weights(weights(options)).callback(std::ref(progress_bar));
-  report.field = CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, constraints, np);
+  report.field =
+    CGAL::Reeb_graph::compute_harmonic_field(surface, scalar_map, with_unreached(constraints, unreached), np);
   report.fixed_values = fixed_values("harmonic", surface, constraints);
+  return unreached;
 }
 
 void compute_between_borders(const Input_options& options,
@@ -238,24 +338,28 @@ void compute_between_borders(const Input_options& options,
     report.fixed_values->borders.push_back({border.first_vertex, scalar_map[surface.target(border.halfedge)]});
 }
 
-void compute_from_sources(const Input_options& options,
-                          const Surface& surface,
-                          Scalar_map scalar_map,
-                          Work_report& report)
+// Returns the vertices that no value reaches.
+Unreached compute_from_sources(const Input_options& options,
+                               const Surface& surface,
+                               Scalar_map scalar_map,
+                               Work_report& report)
 {
-  const Constraints constraints = sources(options, surface);
+  Constraints constraints = sources(options, surface);
   report.fixed_values = fixed_values(options.field, surface, constraints);
+  const Unreached unreached = find_unreached(surface, constraints, options, report);
+  constraints = with_unreached(constraints, unreached);
   Progress_bar progress_bar(options.field + " field");
   const auto np = CGAL::parameters::callback(std::ref(progress_bar));
   if(options.field == "poisson")
   {
     report.field = CGAL::Reeb_graph::compute_curvature_poisson_field(surface, scalar_map, constraints, np);
-    return;
+    return unreached;
   }
   std::vector<Vertex> source_vertices;
   for(const auto& constraint : constraints)
     source_vertices.push_back(constraint.first);
   CGAL::Reeb_graph::compute_geodesic_field(surface, scalar_map, source_vertices, np);
+  return unreached;
 }
 
 // The map holds the field to start from.
@@ -304,6 +408,8 @@ void check_field_options(const Input_options& options)
         "--weights goes with the fields harmonic and harmonic-between-borders only");
   check(options.source_vertices.empty() || field == "poisson" || field == "geodesic",
         "--source goes with the fields poisson and geodesic only");
+  check(!options.is_unreached_left || is_harmonic || field == "poisson" || field == "geodesic",
+        "--unreached goes with the fields harmonic, poisson, geodesic, and unit-gradient only");
   check(options.direction.empty() || field == "height", "--direction goes with the field height only");
 }
 
@@ -312,16 +418,18 @@ void compute_scalar_field(const Input_options& options,
                           Scalar_map scalar_map,
                           Work_report& report)
 {
+  Unreached unreached;
   if(options.field == "harmonic" || (options.field == "unit-gradient" && options.scalars_path.empty()))
-    compute_harmonic(options, surface, scalar_map, report);
+    unreached = compute_harmonic(options, surface, scalar_map, report);
   if(options.field == "harmonic-between-borders")
     compute_between_borders(options, surface, scalar_map, report);
   else if(options.field == "poisson" || options.field == "geodesic")
-    compute_from_sources(options, surface, scalar_map, report);
+    unreached = compute_from_sources(options, surface, scalar_map, report);
   else if(options.field == "unit-gradient")
     report.field = compute_unit_gradient(surface, scalar_map);
   else if(options.field == "height")
     compute_height(options, surface, scalar_map);
+  unreached.set_nan(scalar_map);
 }
 
 } // namespace reeb_graph_program

@@ -26,7 +26,7 @@ void check_field_options(const Input_options& options);
 
 // Computes the field options.field: harmonic, harmonic-between-borders, poisson, unit-gradient, geodesic, or height. For
 // unit-gradient, `scalar_map` holds the field to start from if there is a file of it. Reports how it went if the field
-// depends on the geometry of the faces, and which values it was given. Throws std::runtime_error, and the exceptions of
+// depends on the geometry of the faces, which values it was given, and which components no source is in. Throws std::runtime_error, and the exceptions of
 // the library.
 void compute_scalar_field(const Input_options& options,
                           const Surface& surface,
@@ -35,10 +35,11 @@ void compute_scalar_field(const Input_options& options,
 
 // Sets the map to the lengths of the shortest paths along edges of the complex from the sources or, if there are none,
 // from a vertex of each component that is farthest away from its first vertex. Returns the sources. Throws
-// std::runtime_error if there is no such source, or no path from a source to a vertex.
+// std::runtime_error if there is no such source, or no path from a source to a vertex, unless such vertices may be left.
 std::vector<std::size_t> compute_distances_along_edges(const Mesh& mesh,
-                                                       std::vector<std::size_t> sources,
-                                                       Scalar_map scalar_map);
+                                                       const Input_options& options,
+                                                       Scalar_map scalar_map,
+                                                       Work_report& report);
 
 } // namespace reeb_graph_program
 

@@ -422,9 +422,12 @@ std::string describe_obstacle(const Mesh& mesh)
   const Complex& complex = *mesh.complex;
   const std::string obstacle = describe_obstacle(complex);
   if(mesh.findings.close_points.is_any())
-    return obstacle + "; " + std::to_string(mesh.findings.close_points.coinciding + mesh.findings.close_points.close)
-         + " points of borders coincide with others, or nearly: " + suggested_repair(mesh.findings.close_points)
-         + " merges them";
+  {
+    const Close_points& points = mesh.findings.close_points;
+    return obstacle + "; " + std::to_string(points.coinciding + points.close + points.on_edges)
+         + " points of borders coincide with others, or nearly, or lie on edges: " + suggested_repair(points)
+         + " joins them";
+  }
   if(!complex.tetrahedra.empty())
     return obstacle;
   return obstacle
@@ -491,7 +494,7 @@ Scalar_map add_field(const Input_options& options, Mesh& mesh, Work_report& repo
   Scalar_map scalar_map = add_given_field(options, mesh.surface, report);
   const Timed_step timed(report, "field");
   report.fixed_values = Fixed_values{options.field, {}, {}};
-  for(const std::size_t source : compute_distances_along_edges(mesh, options.source_vertices, scalar_map))
+  for(const std::size_t source : compute_distances_along_edges(mesh, options, scalar_map, report))
     report.fixed_values->vertices.push_back({source, 0});
   return scalar_map;
 }

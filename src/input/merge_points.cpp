@@ -90,6 +90,14 @@ long double square_of_distance(const Point& p, const Point& q)
   return sum;
 }
 
+CGAL::Bbox_3 box_of(const std::vector<Point>& points)
+{
+  CGAL::Bbox_3 box;
+  for(const Point& p : points)
+    box += p.bbox();
+  return box;
+}
+
 // A grid of points. Its cells are twice as wide as the distance, and numbered by floating point numbers, which do not
 // overflow: where these skip whole numbers, different coordinates are farther from each other than the distance.
 class Point_grid
@@ -222,7 +230,7 @@ void count_close_places(const std::vector<Point>& points,
       needed = std::max(needed, square);
     }
   if(needed > 0)
-    result.needed_distance = std::pow(10., std::ceil(static_cast<double>(std::log10(1.01L * std::sqrt(needed)))));
+    result.needed_distance = power_of_ten_above(std::sqrt(needed));
 }
 
 } // namespace
@@ -246,18 +254,20 @@ std::vector<Corner> border_points(const Polygons& polygons)
   return result;
 }
 
+long double diagonal_of(const std::vector<Point>& points)
+{
+  const CGAL::Bbox_3 box = box_of(points);
+  return std::sqrt(
+    square_of_distance(Point(box.xmin(), box.ymin(), box.zmin()), Point(box.xmax(), box.ymax(), box.zmax())));
+}
+
 Close_points count_close_points(const std::vector<Point>& points, const std::vector<Corner>& candidates)
 {
   Close_points result;
   if(candidates.empty())
     return result;
-  CGAL::Bbox_3 box;
-  for(const Point& p : points)
-    box += p.bbox();
-  result.largest_distance =
-    static_cast<double>(1e-6L
-                        * std::sqrt(square_of_distance(Point(box.xmin(), box.ymin(), box.zmin()),
-                                                       Point(box.xmax(), box.ymax(), box.zmax()))));
+  const CGAL::Bbox_3 box = box_of(points);
+  result.largest_distance = static_cast<double>(1e-6L * diagonal_of(points));
   const std::vector<Corner> places = places_of(points, candidates, result.coinciding);
   if(result.largest_distance > 0)
     count_close_places(points, places, box, result);
@@ -293,7 +303,9 @@ std::string suggested_repair(const Close_points& points)
     return "";
   std::ostringstream command;
   command << "reeb_graph repair ";
-  if(points.close > 0)
+  if(points.on_edges > 0)
+    command << "--all --stitch " << points.needed_distance;
+  else if(points.close > 0)
     command << "--merge-within " << points.needed_distance;
   else
     command << "--merge";

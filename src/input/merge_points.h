@@ -13,6 +13,7 @@
 #include "input/Polygon_soup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -34,8 +35,20 @@ Duplicates find_duplicates(const Polygons& polygons, bool have_same_orientation)
 // The points of edges that one polygon has, in ascending order.
 std::vector<Corner> border_points(const Polygons& polygons);
 
+// The diagonal of the box of all points.
+long double diagonal_of(const std::vector<Point>& points);
+
 // Counts those of the points that coincide with another one of them, or lie close to one.
 Close_points count_close_points(const std::vector<Point>& points, const std::vector<Corner>& candidates);
+
+// Counts those of borders, too, that lie on an edge of a border that they are no ends of.
+void count_points_on_edges(const Polygon_soup& soup, const std::vector<Corner>& border_points, Close_points& result);
+
+// A distance that is said to users: a little larger than this one.
+inline double power_of_ten_above(long double distance)
+{
+  return std::pow(10., std::ceil(static_cast<double>(std::log10(1.01L * distance))));
+}
 
 // For all points the one that each joins: itself, or for a candidate the nearest one of those before it that have joined
 // none themselves, if that is within the distance; of several, the first one. A distance of 0 joins points that coincide,

@@ -236,6 +236,17 @@ std::vector<Corner> border_points(const Polygon_soup& soup, const Mesh& mesh)
   return points;
 }
 
+// Which points are close to others now. Those that coincide have been merged where that makes a surface.
+void look_over_repaired(const Mesh& mesh, Input_findings& findings)
+{
+  const Polygon_soup soup = soup_of(mesh.surface);
+  const std::vector<Corner> border = border_points(soup, mesh);
+  findings.close_points = count_close_points(soup.points, border);
+  count_points_on_edges(soup, border, findings.close_points);
+  if(!mesh.repair->given.is_surface())
+    findings.close_points.coinciding = 0;
+}
+
 } // namespace
 
 Mesh make_mesh(const Polygon_soup& soup, const Polygons* faces)
@@ -271,6 +282,7 @@ Polygon_soup read_checked_soup(const std::string& path,
 void look_over_points(const Polygon_soup& soup, const std::vector<Corner>& border_points, Input_findings& findings)
 {
   findings.close_points = count_close_points(soup.points, border_points);
+  count_points_on_edges(soup, border_points, findings.close_points);
   std::vector<char> is_isolated(soup.points.size(), 1);
   const auto reach = [&](const auto& vertices) {
     for(const Corner v : vertices)
@@ -286,10 +298,8 @@ void look_over_points(const Polygon_soup& soup, const std::vector<Corner>& borde
 void triangulate_faces(Polygon_soup& soup, const std::string& path, const Input_findings& findings)
 {
   if(const auto number = triangulate_faces(soup))
-    throw Input_error(path,
-                      "face " + std::to_string(number_in_file(*number, findings))
-                        + " cannot be cut into triangles: it has no area, or crosses itself and has more than 500 "
-                          "corners");
+    throw Input_error(path, "face " + std::to_string(number_in_file(*number, findings))
+                              + " cannot be cut into triangles: it has no area");
 }
 
 bool is_to_be_repaired(const Polygon_soup& soup, const Mesh& mesh, const Repair_options& repair)
@@ -301,7 +311,7 @@ bool is_to_be_repaired(const Polygon_soup& soup, const Mesh& mesh, const Repair_
 
 void repair_mesh(Polygon_soup soup, Repair_options repair, Mesh& mesh)
 {
-  if(!mesh.complex)
+  if(count_soup(soup.polygons, soup.points.size()).is_surface())
   {
     const double least_share = repair.least_share;
     repair = Repair_options();
@@ -371,7 +381,7 @@ Mesh read_mesh(const std::string& path,
     if(mesh.complex && !soup.edges.empty())
       soup.notes.push_back("edges of no face are left out");
     repair_mesh(mesh.complex && faces ? uncut : soup, *repair, mesh);
-    findings.close_points = Close_points(); // which have been merged
+    look_over_repaired(mesh, findings);
   }
   mesh.findings = findings;
   if(!vertex_property.empty())

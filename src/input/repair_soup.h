@@ -10,6 +10,7 @@
 #define CGAL_REEB_GRAPH_SRC_REPAIR_SOUP_H
 
 #include "base/input_findings.h"
+#include "base/options.h"
 #include "input/Polygon_soup.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -78,10 +79,21 @@ std::vector<std::size_t> count_fans(const Polygons& polygons,
 // The component of each polygon, by a vertex of it. Polygons with a common vertex are in one.
 std::vector<std::size_t> components_of_polygons(const Polygons& polygons, std::size_t number_of_vertices);
 
-// The faces of components with less than a share of the area, and of closed ones that have no inside, or are inside out and
-// neither lie in another one nor have one inside: cavities stay. If the largest component is inside out, all are taken the
-// other way round. In ascending order.
+// The faces of components with less than a share of the area, and of those that are closed and have no volume. In ascending
+// order.
 std::vector<std::size_t> faces_of_lesser_pieces(const Polygon_soup& soup, double least_share, Repair_counts& counts);
+
+// Solids are closed pieces with a volume, whose faces agree, together with those that lie in them.
+struct Inside_out
+{
+  std::size_t solids = 0;
+  std::vector<char> is_inside_out; // of the faces
+};
+
+// Which solids are inside out: those whose outermost piece is. What lies in them is so, too, whichever way round: a cavity
+// stays one if all is turned. An open piece is in none.
+Inside_out find_inside_out(const Polygon_soup& soup);
+std::size_t count_inside_out_solids(const Surface& surface);
 
 // Which faces go on in each other at the edges.
 struct Face_pairs
@@ -103,18 +115,24 @@ Face_pairs pair_faces(const Polygon_soup& soup);
 // that is added behind the others: a copy has the same one twice, a midpoint the ends of its edge.
 std::vector<std::array<Corner, 2>> split_at_pairs(Polygon_soup& soup, const Face_pairs& pairs, Repair_counts& counts);
 
+// Cuts sides of borders at points of borders that are at most so far from their inside: where those are corners of other
+// faces already, nothing moves. What is a triangle becomes triangles. Returns the number of cuts.
+std::size_t cut_at_junctions(Polygon_soup& soup, double distance);
+
 // Besides leaving faces out, in this order.
 struct Repair_options
 {
   bool are_coinciding_points_merged = false;
-  std::optional<double> distance;            // within which points of borders are merged
+  std::optional<double> distance;     // within which points of borders are merged
+  std::optional<Threshold> stitching; // the distance within which borders are joined: points, and points with edges
   bool are_opposite_faces_cancelled = false; // one by one, those with the same corners
   bool are_faces_triangulated = false;       // after that, as both sides of a polygon can be cut in different ways
   bool is_split = false; // where an edge has more than two faces, a vertex several fans, or no orientation fits
-  bool are_faces_oriented = false;
-  double least_share = 0;            // of the area: smaller components go, and those without volume, if it is positive
+  bool are_faces_oriented = false; // so that neighbors agree, and no solid is inside out
+  double least_share = 0; // of the area: smaller components go, and closed ones without volume, if it is positive
   std::size_t most_filled_edges = 0; // of a border that is filled
   bool is_largest_kept = false;      // the component with the most faces, of several the first one, alone
+  bool are_unused_points_left_out = false;
 };
 
 // Those that make a surface of any faces, and take nothing away but what is there twice.
@@ -146,7 +164,7 @@ void leave_out_repeated_faces(Polygon_soup& soup, Input_findings& findings);
 std::size_t number_in_file(std::size_t face, const Input_findings& findings);
 
 // Repairs the points and polygons of a soup, whose vertices exist, whose faces have no vertex at two corners, and none of
-// which repeats another one in the same orientation. Throws std::runtime_error if the distance is not positive and finite,
+// which repeats another one in the same orientation. Throws std::runtime_error if a distance is not positive and finite,
 // or the share is none.
 Repair_result repair_soup(Polygon_soup& soup, const Repair_options& options);
 

@@ -43,9 +43,11 @@ nlohmann::ordered_json json_of(const Input_findings& input)
           {"repeated_faces", input.repeated_faces.size()},
           {"first_repeated_face", first_of(input.repeated_faces)},
           {"isolated_points", input.isolated_points},
+          {"inside_out_solids", input.inside_out_solids},
           {"coinciding_border_points", points.coinciding},
           {"close_border_points", points.close},
           {"close_distance", points.largest_distance},
+          {"t_junctions", points.on_edges},
           {"suggested_repair", points.is_any() ? std::make_optional(suggested_repair(points)) : std::nullopt}};
 }
 
@@ -90,15 +92,24 @@ void write_findings(std::ostream& out, const Input_findings& input)
   else if(input.isolated_points > 0)
     out << "points   " << count(input.isolated_points, "isolated vertex", "isolated vertices")
         << ", of no face or edge\n";
+  if(input.inside_out_solids.value_or(0) > 0)
+    out << "volume   " << count(*input.inside_out_solids, "solid is", "solids are")
+        << " inside out, so that the volume is negative: 'reeb_graph repair --orient' turns "
+        << (input.inside_out_solids == 1 ? "it\n" : "them\n");
   const Close_points& points = input.close_points;
   if(!points.is_any())
     return;
   out << "points   ";
+  std::string separator;
+  const auto next = [&separator] { return std::exchange(separator, ", "); };
   if(points.coinciding > 0)
-    out << points.coinciding << " along borders coincide with others" << (points.close > 0 ? ", " : "");
+    out << next() << points.coinciding << " along borders coincide with others";
   if(points.close > 0)
-    out << points.close << " along borders are less than " << points.largest_distance << " from others";
-  out << ": '" << suggested_repair(points) << "' merges them\n";
+    out << next() << points.close << " along borders are less than " << points.largest_distance << " from others";
+  if(points.on_edges > 0)
+    out << next() << points.on_edges << " along borders " << (points.on_edges == 1 ? "lies" : "lie")
+        << " on edges of borders (T-junctions)";
+  out << ": '" << suggested_repair(points) << (points.on_edges > 0 ? "' joins them\n" : "' merges them\n");
 }
 
 void write_fixed_values(std::ostream& out, const Fixed_values& fixed)
@@ -417,6 +428,8 @@ std::vector<Step> steps_of(const Repair_counts& counts)
 {
   const auto more = [](std::size_t before, std::size_t after) { return after > before ? after - before : 0; };
   return {{"merged_points", counts.merged_points, "point merged into another one", "points merged into others"},
+          {"stitched_points", counts.stitched_points, "point of a border cuts an edge of one",
+           "points of borders cut edges of these"},
           {"unmerged_points", counts.unmerged_points, "point that coincides with another one left",
            "points that coincide with others left"},
           {"collapsed_faces", counts.collapsed_faces, "face left out, as a merged point is at two corners",
@@ -438,6 +451,8 @@ std::vector<Step> steps_of(const Repair_counts& counts)
           {"added_points", counts.added_points, "point added by splitting", "points added by splitting"},
           {"added_midpoints", counts.added_midpoints, "of these on an edge or face", "of these on edges and faces"},
           {"reversed_faces", counts.reversed_faces, "face reversed", "faces reversed"},
+          {"turned_solids", counts.turned_solids, "solid that was inside out turned, with what lies in it",
+           "solids that were inside out turned, with what lies in them"},
           {"small_pieces", counts.small_pieces, "component with too small an area left out",
            "components with too small an area left out"},
           {"pieces_without_volume", counts.pieces_without_volume, "component without volume left out",
@@ -446,7 +461,8 @@ std::vector<Step> steps_of(const Repair_counts& counts)
           {"filled_borders", counts.filled_borders, "border filled", "borders filled"},
           {"filling_faces", counts.filling_faces, "face for that", "faces for that"},
           {"faces_of_other_components", counts.other_faces, "face of other components left out",
-           "faces of other components left out"}};
+           "faces of other components left out"},
+          {"unused_points", counts.unused_points, "point of no face left out", "points of no face left out"}};
 }
 
 } // namespace

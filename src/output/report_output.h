@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
@@ -36,17 +37,16 @@ struct nlohmann::adl_serializer<std::optional<T>>
 };
 
 namespace reeb_graph_program {
-// The number of values of a field, and where they lie.
+// The number of values of a field, and where those that are no NaN lie.
 struct Field_range
 {
   template <class Iterator>
   Field_range(Iterator begin, Iterator end) : number_of_values(static_cast<std::size_t>(std::distance(begin, end)))
   {
-    if(begin != end)
+    for(; begin != end; ++begin)
     {
-      const auto extrema = std::minmax_element(begin, end);
-      lowest = *extrema.first;
-      highest = *extrema.second;
+      lowest = std::fmin(lowest, *begin); // which leave NaN out
+      highest = std::fmax(highest, *begin);
     }
   }
 

@@ -269,6 +269,19 @@ void note_lost_parts(const std::filesystem::path& path, const Skeleton& skeleton
     notes.push_back(path.string() + ": radii are left out, for which .swc, .vtp and .graphml have room");
 }
 
+void note_branches_without_face(const Skeleton& skeleton, std::vector<std::string>& notes)
+{
+  std::vector<char> has_face(skeleton.arcs.size(), 0);
+  for(const std::size_t arc : skeleton.face_arcs)
+    has_face[arc] = 1;
+  std::string names;
+  for(std::size_t arc = 0; arc != has_face.size(); ++arc)
+    if(has_face[arc] == 0)
+      names += (names.empty() ? "" : ", ") + std::to_string(arc);
+  if(!names.empty())
+    notes.push_back("branches without a face, and so without a piece: " + names);
+}
+
 void note_lost_numbers(const Skeleton& skeleton, std::vector<std::string>& notes)
 {
   typedef CGAL::Reeb_graph::Skeleton_branch Branch;

@@ -40,6 +40,9 @@ void write_skeleton_mesh(const std::filesystem::path& path, const Surface& surfa
 // Notes what such a file has no room for: loops of trees, radii of polylines.
 void note_lost_parts(const std::filesystem::path& path, const Skeleton& skeleton, std::vector<std::string>& notes);
 
+// Notes the branches for which there is no piece, as no face is nearest to them.
+void note_branches_without_face(const Skeleton& skeleton, std::vector<std::string>& notes);
+
 // Notes lengths, areas and volumes that are too large or too small for a double.
 void note_lost_numbers(const Skeleton& skeleton, std::vector<std::string>& notes);
 

@@ -154,7 +154,7 @@ expect_success(compute book.off --field geodesic)
 file(WRITE ${FOLDER}/apart.off "OFF\n6 3 0\n0 0 0\n1 0 0.5\n0 1 2\n0 0 -1\n0 -1 -2\n9 9 9\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
 expect_success(compute apart.off --field geodesic)
 expect_match("${output}" "\n *geodesic: 0 at vertices [0-9], 5\n")
-expect_error("no edges lead from a source to vertex 5" compute apart.off --field geodesic --source 0)
+expect_error("component 1, that of vertex 5, has no vertex whose value is given" compute apart.off --field geodesic --source 0)
 
 # tetrahedra: a ring of three around an edge is a ball; two of them that have an edge in common
 set(points "Vertices\n5\n0 0 -1 0\n0 0 1 0\n1 0 0.25 0\n-1 1 0.5 0\n-1 -1 0.125 0\n")

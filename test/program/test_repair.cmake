@@ -212,6 +212,100 @@ foreach(share -0.1 1.5 nan)
   expect_error("least share" repair open.off --least-piece ${share} --output a.ply)
 endforeach()
 
+# A cube of side 1, whose vertex at x, y, z has the number 4x + 2y + z; without its lid, z = 1; and inside out.
+set(cube_points "0 0 0\n0 0 1\n0 1 0\n0 1 1\n1 0 0\n1 0 1\n1 1 0\n1 1 1\n")
+set(cube_walls "3 0 1 3\n3 0 3 2\n3 4 6 7\n3 4 7 5\n3 0 4 5\n3 0 5 1\n3 2 3 7\n3 2 7 6\n3 0 2 6\n3 0 6 4\n")
+string(REGEX REPLACE "3 ([0-9]) ([0-9]) ([0-9])" "3 \\3 \\2 \\1" inward_walls "${cube_walls}")
+set(cube_lid "3 1 5 7\n3 1 7 3\n")
+file(WRITE ${FOLDER}/inward.off "OFF\n8 10 0\n${cube_points}${inward_walls}")
+expect_repair(0 turned_solids ARGUMENTS inward.off --all --output a.ply) # what is open is no solid
+expect_repair(1 turned_solids ARGUMENTS inward.off --all --fill 10 --output upright.ply)
+expect_success(repair inward.off --all --fill 10 --output upright.ply)
+expect_match("${output}" "1 solid that was inside out turned")
+expect_repair(0 input inside_out_solids ARGUMENTS upright.ply --output a.ply)
+expect_success(repair inward.off --fill 10 --output inside_out.ply)
+expect_repair(1 input inside_out_solids ARGUMENTS inside_out.ply --output a.ply)
+foreach(command "handles" "skeleton" "repair;--output;a.ply")
+  list(POP_FRONT command word)
+  expect_success(${word} inside_out.ply ${command})
+  expect_match("${output}" "1 solid is inside out.*'reeb_graph repair --orient' turns it")
+  expect_success(${word} upright.ply ${command})
+  if(output MATCHES "inside out")
+    message(SEND_ERROR "${word} says that a cube is inside out: ${output}")
+  endif()
+endforeach()
+
+# An open sheet, larger than a cube, decides nothing about it. A cube whose faces do not agree is one component of a skeleton, as
+# the named repair makes it; nothing at all is an error.
+string(REPLACE "3 4 6 7" "3 7 6 4" mixed_walls "${cube_walls}")
+set(sheet_points "-9 -9 5\n9 -9 5\n9 9 5\n-9 9 6\n")
+foreach(walls cube inward mixed)
+  file(WRITE ${FOLDER}/sheet_and_cube.off "OFF\n12 14 0\n${cube_points}${sheet_points}${${walls}_walls}${cube_lid}"
+       "3 8 9 10\n3 8 10 11\n")
+  expect_repair(2 result components ARGUMENTS sheet_and_cube.off --all --least-piece 0.001 --output a.ply)
+  expect_repair(0 faces_of_pieces ARGUMENTS sheet_and_cube.off --all --least-piece 0.001 --output a.ply)
+  file(WRITE ${FOLDER}/cube.off "OFF\n8 12 0\n${cube_points}${${walls}_walls}${cube_lid}")
+  expect_success(skeleton cube.off --least-piece 0.01 --output cube.swc --json)
+  string(JSON components GET "${output}" components)
+  expect_equal("${components}" 1)
+endforeach()
+file(WRITE ${FOLDER}/two.off "OFF\n8 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n9 0 0\n10 0 0\n9 1 0\n9 0 1\n3 0 2 1\n3 0 1 3\n"
+     "3 1 2 3\n3 0 3 2\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 4 7 6\n")
+expect_error("repairing leaves no faces" skeleton two.off --least-piece 1 --output two.swc)
+expect_error("the mesh has no faces" skeleton cloud.off --output cloud.swc)
+
+# A lid with points on its sides that the walls lack: T-junctions. Stitched, it is closed, and no point is added.
+file(WRITE ${FOLDER}/junctions.off "OFF\n13 18 0\n${cube_points}0.5 0 1\n1 0.5 1\n0.5 1 1\n0 0.5 1\n0.5 0.5 1\n"
+     "${cube_walls}3 12 1 8\n3 12 8 5\n3 12 5 9\n3 12 9 7\n3 12 7 10\n3 12 10 3\n3 12 3 11\n3 12 11 1\n")
+expect_json(4 input t_junctions ARGUMENTS junctions.off --field z)
+expect_json("reeb_graph repair --all --stitch 1e-08" input suggested_repair ARGUMENTS junctions.off --field z)
+expect_success(skeleton junctions.off)
+expect_match("${output}" "4 along borders lie on edges of borders [(]T-junctions[)]: 'reeb_graph repair --all --stitch 1e-08'")
+foreach(distance 1e-8 1e-6 0.1 "1%")
+  expect_repair(4 stitched_points ARGUMENTS junctions.off --all --stitch ${distance} --output closed.ply)
+  expect_repair(13 result vertices ARGUMENTS junctions.off --all --stitch ${distance} --output closed.ply)
+  expect_json(0 border_loops ARGUMENTS closed.ply --field z)
+  expect_json(2 euler_characteristic ARGUMENTS closed.ply --field z)
+  expect_json(1 components ARGUMENTS closed.ply --field z)
+  expect_json(0 input t_junctions ARGUMENTS closed.ply --field z)
+endforeach()
+expect_repair(0 stitched_points ARGUMENTS closed.ply --all --stitch 1e-6 --output a.ply)
+expect_same_file(closed.ply a.ply)
+foreach(distance 0 0%)
+  expect_error("must be a positive finite number" repair junctions.off --stitch ${distance} --output a.off)
+endforeach()
+foreach(distance -1 x nan)
+  expect_error("the size '${distance}'" repair junctions.off --stitch ${distance} --output a.off)
+endforeach()
+
+# points of no face
+file(WRITE ${FOLDER}/alone.off "OFF\n9 12 0\n${cube_points}5 5 5\n${cube_walls}${cube_lid}")
+foreach(option --all --unused)
+  expect_repair(1 unused_points ARGUMENTS alone.off ${option} --output a.ply --map map.txt)
+  expect_json(8 vertices ARGUMENTS a.ply --field z)
+  file(READ ${FOLDER}/map.txt map)
+  expect_equal("${map}" "0\n1\n2\n3\n4\n5\n6\n7\n-1\n")
+endforeach()
+expect_repair(9 result vertices ARGUMENTS alone.off --merge --output a.ply)
+foreach(field "geodesic;--source;0" "harmonic;--min;0;--max;7" "poisson;--source;0")
+  expect_error("component 1, that of vertex 8, has no vertex whose value is given; reeb_graph field --unreached nan leaves" field alone.off --type ${field}
+               --output f.txt)
+  expect_success(field alone.off --type ${field} --unreached nan --output f.txt)
+  expect_match("${output}" "component 1, that of vertex 8, has no vertex whose value is given: NaN")
+  file(STRINGS ${FOLDER}/f.txt values)
+  list(GET values 8 value)
+  expect_equal("${value}" nan)
+  list(GET values 7 value)
+  expect_match("${value}" "^[0-9.e-]+$")
+endforeach()
+expect_error("--unreached goes with" field alone.off --type height --unreached nan --output f.txt)
+
+# Points of borders that are close to others are said after a repair, too: a slit, and a corner that touches another one.
+file(WRITE ${FOLDER}/slit.off "OFF\n13 7 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n1e-9 0 0\n1e-9 1 0\n-1 0 0\n-1 1 0\n"
+     "5 0 0\n5 1 0\n6 0 1\n6 1 1\n4 0.5 -1\n3 0 1 2\n3 1 3 2\n3 4 5 6\n3 5 7 6\n3 8 9 10\n3 9 8 11\n3 8 9 12\n")
+expect_success(skeleton slit.off)
+expect_match("${output}" "4 along borders are less than .* from others: 'reeb_graph repair --merge-within 1e-08' merges them")
+
 # what is no matter of faces
 file(WRITE ${FOLDER}/tetrahedra.vtk "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
      "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n")

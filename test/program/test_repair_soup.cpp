@@ -386,31 +386,235 @@ void test_boxes()
   }
 }
 
-// A cavity stays, and so does what it lies in, whatever is outside; what is inside out elsewhere goes, and a fleck.
+// Each point is turned, and multiplied: no coordinate plane is left, and no unit.
+struct Placement
+{
+  std::array<std::array<double, 3>, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  double unit = 1;
+
+  static Placement random(Random& random)
+  {
+    const auto number = [&] { return double(random.below(2001)) / 1000 - 1.0005; };
+    const std::array<double, 3> a = {number(), number(), 2}, b = {2, number(), number()};
+    const auto product = [](const std::array<double, 3>& u, const std::array<double, 3>& v) {
+      return std::array<double, 3>{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    };
+    const auto unit_vector = [](std::array<double, 3> u) {
+      const double length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+      return std::array<double, 3>{u[0] / length, u[1] / length, u[2] / length};
+    };
+    const std::array<double, 3> z = unit_vector(a), x = unit_vector(product(a, b));
+    return {{x, product(z, x), z}, std::array<double, 5>{1, 1, 1e-150, 1e150, 1000}[random.below(5)]};
+  }
+
+  Point operator()(double x, double y, double z) const
+  {
+    const auto at = [&](std::size_t k) { return unit * (x * axes[0][k] + y * axes[1][k] + z * axes[2][k]); };
+    return {at(0), at(1), at(2)};
+  }
+};
+
+// In units of the placement.
+double volume_of(Polygon_soup soup, const Placement& placement)
+{
+  for(Point& p : soup.points)
+    p = Point(p.x() / placement.unit, p.y() / placement.unit, p.z() / placement.unit);
+  return signed_volume(soup);
+}
+
+// The polygons in another order.
+void shuffle(Polygon_soup& soup, Random& random)
+{
+  std::vector<std::size_t> order(soup.polygons.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  for(std::size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[random.below(i)]);
+  Polygons polygons;
+  for(const std::size_t i : order)
+    polygons.add(soup.polygons[i]);
+  soup.polygons = polygons;
+}
+
+// Boxes in boxes, some of which are inside out.
+struct Boxes
+{
+  Polygon_soup soup;
+  double volume = 0; // if each group of nested boxes is turned whose outermost one is inside out
+  std::size_t number = 0, inside_out = 0;
+
+  // With up to two boxes inside, side by side.
+  void add(Random& random, std::array<double, 3> low, std::array<double, 3> high, int depth, int sign)
+  {
+    const bool is_turned = random.below(2) == 0;
+    const int outermost = sign != 0 ? sign : is_turned ? -1 : 1;
+    add_box(soup, low, high, is_turned);
+    ++number;
+    inside_out += sign == 0 && is_turned ? 1 : 0;
+    volume += (is_turned ? -1 : 1) * outermost * (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
+    for(std::size_t i = random.below(3); depth > 0 && i > 0; --i)
+    {
+      std::array<double, 3> inner_low = low, inner_high = high;
+      for(std::size_t k = 0; k < 3; ++k)
+      {
+        const double length = high[k] - low[k];
+        inner_low[k] += length * (k == 0 && i == 2 ? 0.55 : 0.1);
+        inner_high[k] -= length * (k == 0 && i == 1 ? 0.55 : 0.1);
+      }
+      add(random, inner_low, inner_high, depth - 1, outermost);
+    }
+  }
+};
+
+// Groups of boxes beside each other, and open sheets of any size between and around them, which decide nothing.
+void test_nested_boxes(std::size_t seed)
+{
+  Random random(seed);
+  Boxes boxes;
+  const std::size_t groups = 1 + random.below(3);
+  for(std::size_t i = 0; i < groups; ++i)
+    boxes.add(random, {2. * double(i), 0, 0}, {2. * double(i) + 1 + double(random.below(9)) / 10, 1, 1.5}, 2, 0);
+  Polygon_soup& soup = boxes.soup;
+  const std::size_t sheets = random.below(3);
+  for(std::size_t i = 0; i < sheets; ++i)
+  {
+    const double size = std::array<double, 3>{0.2, 3, 50}[random.below(3)], height = random.below(2) == 0 ? 0.3 : -7;
+    const std::size_t first = soup.points.size();
+    for(const auto& [x, y] : {std::pair(-1., -1.), std::pair(1., -1.), std::pair(1., 1.), std::pair(-1., 1.)})
+      soup.points.emplace_back(size * x, size * y, height + 0.01 * x * y);
+    soup.polygons.add(std::array<std::size_t, 3>{first, first + 1, first + 2});
+    soup.polygons.add(std::array<std::size_t, 3>{first, first + 2, first + 3});
+  }
+  const Placement placement = Placement::random(random);
+  for(Point& p : soup.points)
+    p = placement(p.x(), p.y(), p.z());
+  shuffle(soup, random);
+  const std::string name = " with seed " + std::to_string(seed);
+  Repair_options least;
+  least.least_share = 1e-9;
+  Polygon_soup kept = soup;
+  const Repair_result unchanged = repair_soup(kept, least);
+  check(unchanged.counts.faces_of_pieces == 0 && are_equal(kept.polygons, soup.polygons), "a solid is left out" + name);
+  check(find_inside_out(soup).solids == boxes.inside_out, "other solids are inside out" + name);
+  Repair_options options = all_options();
+  options.least_share = 1e-9;
+  const Repair_result result = repair_soup(soup, options);
+  Polygon_soup closed = soup;
+  closed.polygons = Polygons();
+  const std::vector<std::size_t> components = components_of_polygons(soup.polygons, soup.points.size());
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+    if(std::count(components.begin(), components.end(), components[i]) == 12)
+      closed.polygons.add(soup.polygons[i]);
+  check(closed.polygons.size() == 12 * boxes.number
+          && std::abs(volume_of(closed, placement) - boxes.volume) < 1e-9 * (1 + boxes.volume)
+          && result.counts.turned_solids == boxes.inside_out && find_inside_out(soup).solids == 0,
+        "solids are inside out" + name);
+}
+
+// A cavity stays, and so does what it lies in, whatever is outside; what has no volume goes, and a fleck. What is said: a cube
+// of side 3 with one of side 1 inside is 28 if both look outside, 26 if it has a cavity, also inside out.
 void test_pieces()
 {
   Polygon_soup soup;
   add_box(soup, {0, 0, 0}, {10, 10, 10});
   add_box(soup, {4, 4, 4}, {6, 6, 6}, true);
   add_box(soup, {20, 0, 0}, {23, 3, 3}, true);
-  add_box(soup, {30, 0, 0}, {33, 3, 3});
+  add_box(soup, {30, 0, 0}, {33, 3, 0});
   add_box(soup, {40, 0, 0}, {40.1, 0.1, 0.1});
-  Polygon_soup turned = soup;
   Repair_options options;
   options.least_share = 1e-3;
   const Repair_result result = repair_soup(soup, options);
   check(result.counts.small_pieces == 1 && result.counts.pieces_without_volume == 1
           && result.counts.faces_of_pieces == 24 && result.counts.result.components == 3 && soup.points.size() == 24
-          && std::abs(signed_volume(soup) - (1000 - 8 + 27)) < 1e-9,
+          && std::abs(signed_volume(soup) - (1000 - 8 - 27)) < 1e-9,
         "other pieces are left out");
   check(std::count(result.new_vertices.begin(), result.new_vertices.end(), no_vertex) == 16,
         "the map of pieces is wrong");
-  Polygons polygons;
-  for(std::size_t i = 0; i < turned.polygons.size(); ++i)
-    polygons.add(std::array<Corner, 3>{turned.polygons[i].begin()[0], turned.polygons[i].begin()[2],
-                                       turned.polygons[i].begin()[1]});
-  turned.polygons = polygons;
-  check(repair_soup(turned, options).new_vertices == result.new_vertices, "a mesh that is inside out has other pieces");
+  for(const bool is_outer_turned : {false, true})
+    for(const bool is_inner_turned : {false, true})
+    {
+      Polygon_soup nested;
+      add_box(nested, {0, 0, 0}, {3, 3, 3}, is_outer_turned);
+      add_box(nested, {1, 1, 1}, {2, 2, 2}, is_inner_turned);
+      const Repair_result turned = repair_soup(nested, all_options());
+      check(std::abs(signed_volume(nested) - (is_outer_turned == is_inner_turned ? 28 : 26)) < 1e-9
+              && turned.counts.turned_solids == (is_outer_turned ? 1u : 0u),
+            "nested cubes have another volume");
+    }
+}
+
+// A prism, each face of which has its own points on its edges, which are cut at any places, and a center: no two faces agree
+// on an edge. The noise is less than half of the distance.
+void test_stitching(std::size_t seed)
+{
+  Random random(seed);
+  const std::size_t sides = 3 + random.below(4), most = 1 + random.below(12);
+  const Placement placement = Placement::random(random);
+  const double distance = 1e-6 * placement.unit, noise = random.below(2) == 0 ? 0 : 1e-7;
+  const auto corner = [&](std::size_t i, bool is_top) {
+    const double angle = 2 * 3.14159265358979 * double(i % sides) / double(sides);
+    return std::array<double, 3>{std::cos(angle), std::sin(angle), is_top ? 1.5 : 0};
+  };
+  Polygon_soup soup;
+  const auto add_face = [&](const std::vector<std::array<double, 3>>& corners) {
+    const auto add_point = [&](const std::array<double, 3>& p, double by) {
+      const auto moved = [&](double x) { return x + by * (double(random.below(1001)) / 500 - 1) / 2; };
+      soup.points.push_back(placement(moved(p[0]), moved(p[1]), moved(p[2])));
+    };
+    std::array<double, 3> center = {0, 0, 0};
+    const std::size_t first = soup.points.size();
+    for(std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const auto &p = corners[i], &q = corners[(i + 1) % corners.size()];
+      const std::size_t number = 1 + random.below(most);
+      for(std::size_t k = 0; k < number; ++k)
+      {
+        const double t = (double(k) + (k == 0 ? 0 : double(random.below(900)) / 1000)) / double(number);
+        add_point({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])}, noise);
+      }
+      for(std::size_t k = 0; k < 3; ++k)
+        center[k] += p[k] / double(corners.size());
+    }
+    const std::size_t last = soup.points.size();
+    add_point(center, 0);
+    for(std::size_t i = first; i < last; ++i)
+      soup.polygons.add(std::array<std::size_t, 3>{i, i + 1 == last ? first : i + 1, last});
+  };
+  std::vector<std::array<double, 3>> lid, floor;
+  for(std::size_t i = 0; i < sides; ++i)
+  {
+    lid.push_back(corner(i, true));
+    floor.push_back(corner(sides - i, false));
+    add_face({corner(i, false), corner(i + 1, false), corner(i + 1, true), corner(i, true)});
+  }
+  add_face(lid);
+  add_face(floor);
+  shuffle(soup, random);
+  const Polygon_soup given = soup;
+  const std::string name = " with seed " + std::to_string(seed);
+  Close_points close = count_close_points(soup.points, border_points(soup.polygons));
+  count_points_on_edges(soup, border_points(soup.polygons), close);
+  check((close.on_edges > 0) == (most > 1) || most == 2, "T-junctions are not counted" + name);
+  Repair_options options = all_options();
+  options.stitching = Threshold{distance, false, false};
+  const Repair_result result = repair_soup(soup, options);
+  const double area = double(sides) / 2 * std::sin(2 * 3.14159265358979 / double(sides));
+  check(result.counts.result.components == 1 && result.counts.result.border_edges == 0
+          && result.counts.result.is_surface() && result.counts.result.euler_characteristic() == 2
+          && soup.polygons.are_triangles() && std::abs(volume_of(soup, placement) - 1.5 * area) < 1e-5,
+        "a prism is not stitched" + name);
+  for(std::size_t v = 0; v < given.points.size(); ++v)
+    check(result.new_vertices[v] != no_vertex
+            && std::sqrt(
+                 square_of_distance(Point(soup.points[result.new_vertices[v]].x() / placement.unit,
+                                          soup.points[result.new_vertices[v]].y() / placement.unit,
+                                          soup.points[result.new_vertices[v]].z() / placement.unit),
+                                    Point(given.points[v].x() / placement.unit, given.points[v].y() / placement.unit,
+                                          given.points[v].z() / placement.unit)))
+                 <= 1.0001e-6,
+          "a point moves too far" + name);
+  Polygon_soup again = soup;
+  check(repair_soup(again, options).counts.stitched_points == 0 && are_equal(again.polygons, soup.polygons),
+        "a second repair changes something" + name);
 }
 
 // By definition: of each triple of corners, one copy stays if there are more one way round, unless nothing of a component
@@ -593,7 +797,7 @@ void test_filling(std::size_t seed)
 // The rims of cones, flat and bent, pressed to slits and to few places, in any units: closed, and flat ones with their area.
 void test_rims(std::size_t size, double unit)
 {
-  for(const char* form : {"flat", "bent", "slit", "few places", "one place"})
+  for(const char* form : {"flat", "bent", "rough", "slit", "few places", "one place"})
   {
     const std::string name = form;
     Polygon_soup soup;
@@ -606,7 +810,9 @@ void test_rims(std::size_t size, double unit)
                                                         : i)
                          / double(size);
       soup.points.emplace_back(unit * std::cos(angle), name == "slit" ? 0 : unit * std::sin(angle),
-                               name == "bent" ? 0.3 * unit * std::cos(3 * angle) : 0);
+                               name == "bent"    ? 0.3 * unit * std::cos(3 * angle)
+                               : name == "rough" ? 0.1 * unit * double(i * i * 7 % 11) / 11
+                                                 : 0);
       soup.polygons.add(std::array<std::size_t, 3>{i, (i + 1) % size, size});
       area += std::sin(2 * 3.14159265358979 / double(size)) / 2;
     }
@@ -628,7 +834,7 @@ void test_rims(std::size_t size, double unit)
     if(name == "flat")
       check(std::abs(filled - area) < 1e-9 && result.counts.filling_faces == size - 2, what + " is not filled flat");
     else if(name == "bent")
-      check(filled < 4 && result.counts.filling_faces == size - 2, what + " is filled with folds");
+      check(filled < 4.1 && result.counts.filling_faces == size - 2, what + " is filled with folds");
   }
 }
 
@@ -640,7 +846,7 @@ int main()
     test_random_points(seed);
   for(std::size_t seed = 0; seed < 100; ++seed)
     test_closing(seed);
-  for(const std::size_t size : {3, 4, 20, 60})
+  for(const std::size_t size : {3, 4, 20, 60, 300, 2000})
     for(const double unit : {1., 1e-200, 1e200})
       test_rims(size, unit);
   test_chain();
@@ -652,7 +858,10 @@ int main()
     test_anything(seed);
     test_merging_anywhere(seed);
     test_filling(seed);
+    test_nested_boxes(seed);
   }
+  for(std::size_t seed = 0; seed < 500; ++seed)
+    test_stitching(seed);
   test_splitting();
   test_merging();
   test_boxes();
