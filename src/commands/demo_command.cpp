@@ -20,7 +20,6 @@
 #include <iostream>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -42,11 +41,8 @@ Scalar_map add_height(Surface& surface)
 void run_demo(const Demo_options& options)
 {
   const fs::path& folder = options.folder;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if(error)
-    throw Output_error(folder.string() + ": the folder cannot be made: " + error.message());
-
+  Output_group files;
+  make_folder(folder);
   Report report;
   Mesh mesh;
   Surface& surface = mesh.surface;
@@ -60,7 +56,6 @@ void run_demo(const Demo_options& options)
   const Graph& graph = mesh_graph->result();
   count_all(surface, graph, report);
 
-  Output_group files;
   write_surface(folder / "surface.off", surface, report.notes);
   write_scalars(folder / "scalars.txt", surface, scalar_map);
   write_coloured_surface(folder / "surface_coloured.ply", surface, scalar_map);

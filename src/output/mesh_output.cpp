@@ -31,7 +31,6 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -424,10 +423,8 @@ void write_surface_with_numbers(const std::filesystem::path& path,
 
 void write_pieces(const std::filesystem::path& folder, const Surface& surface, const std::vector<std::size_t>& pieces)
 {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if(error || !std::filesystem::is_directory(folder))
-    throw Output_error(folder.string() + ": the folder cannot be made");
+  Output_group files;
+  make_folder(folder);
   std::vector<std::vector<Surface::Face_index>> faces_of_pieces;
   for(const Surface::Face_index f : surface.faces())
   {
@@ -468,7 +465,8 @@ void write_pieces(const std::filesystem::path& folder, const Surface& surface, c
   for(const auto& entry : std::filesystem::directory_iterator(folder))
     if(const std::string name = entry.path().filename().string();
        names.count(name) == 0 && std::regex_match(name, name_of_piece))
-      std::filesystem::remove(entry.path(), error);
+      remove_file(entry.path());
+  files.put_in_place();
 }
 
 void write_surface_with_patches(const std::filesystem::path& path, Surface surface, Patch_map patch_map, Notes& notes)

@@ -34,6 +34,9 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
 
 namespace reeb_graph_program {
 namespace {
@@ -74,21 +77,46 @@ struct File_sink
   int* error;
 };
 
-// The files to be removed when a signal ends the program; more than any command writes.
-std::array<std::atomic<const char*>, 64> partial_files = {};
-
-// Ends the program as the signal would have done. All that it calls can be called by a signal handler.
-void remove_partial_files(int signal)
+// Signals do not interrupt this thread, and no other one, nor the handler of signals, changes or reads the list of what is
+// unfinished. Nobody asks for memory meanwhile: the handler, which waits for this, may have interrupted just that in another
+// thread.
+class List_lock : boost::noncopyable
 {
-  for(const auto& file : partial_files)
-    if(const char* path = file)
-      unlink(path);
-  ::signal(signal, SIG_DFL);
-  raise(signal);
-}
+public:
+  List_lock()
+  {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &old_mask_);
+    take();
+  }
+  ~List_lock()
+  {
+    is_taken.clear();
+    pthread_sigmask(SIG_SETMASK, &old_mask_, nullptr);
+  }
 
-// Lets the signals that users and limits end a program by remove the files, except those that are ignored, as long as
-// there is one of any thread.
+  static void take()
+  {
+    while(is_taken.test_and_set())
+      std::this_thread::yield();
+  }
+
+private:
+  static inline std::atomic_flag is_taken = ATOMIC_FLAG_INIT;
+  sigset_t old_mask_ = {};
+};
+
+class Unfinished;
+// Those of all threads, the newest one first, as what is in a folder is removed before that.
+Unfinished* newest_unfinished = nullptr;
+
+// Ends the program as the signal would have done. All that it calls can be called by a signal handler, and it keeps the
+// lock: nothing is made any more.
+void remove_unfinished(int signal);
+
+// Lets the signals that users and limits end a program by remove what is unfinished, except those that are ignored, as long
+// as there is one of any thread.
 class Interrupt_guard : boost::noncopyable
 {
 public:
@@ -97,11 +125,14 @@ public:
     const std::lock_guard lock(mutex);
     if(number_of_guards++ > 0)
       return;
+    struct sigaction action = {};
+    action.sa_handler = remove_unfinished;
+    sigfillset(&action.sa_mask); // no second one waits within this thread for the lock of the first one
     for(std::size_t i = 0; i != signals.size(); ++i)
     {
       sigaction(signals[i], nullptr, &old_actions[i]);
       if(old_actions[i].sa_handler != SIG_IGN)
-        signal(signals[i], remove_partial_files);
+        sigaction(signals[i], &action, nullptr);
     }
   }
   ~Interrupt_guard()
@@ -166,90 +197,113 @@ fs::path target_of(const fs::path& path)
   return target;
 }
 
-// What is written in the place of a file, and where, which is the path itself if it is written at once.
-struct Place
+// A name of our own can be shorter than that of the file.
+fs::path temporary_path_beside(const fs::path& target)
 {
-  explicit Place(const fs::path& given) : path(given), is_at_once(is_written_at_once(given))
+  std::random_device random;
+  return target.parent_path() / ("reeb_graph-" + std::to_string(random()) + std::to_string(random()) + ".partial");
+}
+
+// A new folder, or a file beside its target, which is removed in the end, unless it has been put in place before, also if the
+// program is interrupted.
+class Unfinished : boost::noncopyable
+{
+public:
+  Unfinished(fs::path path, fs::path target) : path_(std::move(path)), target_(std::move(target)) {}
+  ~Unfinished()
   {
-    if(is_at_once)
+    if(!is_listed_)
       return;
-    std::error_code error; // of a path that cannot be looked up, as it will be told
-    if(fs::is_directory(path, error))
-      throw output_error(path, EISDIR);
-    target = target_of(path);
-    std::random_device random; // A name of our own can be shorter than that of the file.
-    temporary_path =
-      target.parent_path() / ("reeb_graph-" + std::to_string(random()) + std::to_string(random()) + ".partial");
+    const List_lock lock;
+    remove();
+    leave_list(lock);
   }
 
-  fs::path path;
-  bool is_at_once;
-  fs::path target, temporary_path; // empty if it is written at once
-};
+  // Makes it by a function that asks for no memory, and returns what that does: an error if it is negative.
+  template <class Make>
+  int make(const Make& make_it)
+  {
+    const List_lock lock;
+    const int result = make_it(path_.c_str());
+    if(result < 0)
+      return -errno;
+    is_listed_ = true;
+    older_ = newest_unfinished;
+    newest_unfinished = this;
+    if(older_ != nullptr)
+      older_->newer_ = this;
+    return result;
+  }
 
-// The file beside the target, which is removed in the end, whether it is there or not, also if the program is
-// interrupted.
-class Partial_file : boost::noncopyable
-{
-public:
-  explicit Partial_file(const fs::path& path) : place(path)
+  // Returns the error. A folder is in place already, and what could not be made never is.
+  int put_in_place(const List_lock& lock)
   {
-    for(std::size_t i = 0; i != partial_files.size() && !place.is_at_once && slot_ == nullptr; ++i)
-    {
-      const char* none = nullptr;
-      if(partial_files[i].compare_exchange_strong(none, place.temporary_path.c_str()))
-        slot_ = &partial_files[i];
-    }
+    if(!is_listed_)
+      return 0;
+    if(!target_.empty() && ::rename(path_.c_str(), target_.c_str()) != 0)
+      return errno;
+    leave_list(lock);
+    return 0;
   }
-  ~Partial_file()
-  {
-    std::error_code ignored;
-    if(!place.is_at_once)
-      fs::remove(place.temporary_path, ignored);
-    if(slot_ != nullptr)
-      *slot_ = nullptr;
-  }
+
+  const fs::path& target() const { return target_; }
+
+  void remove() const { target_.empty() ? ::rmdir(path_.c_str()) : ::unlink(path_.c_str()); }
+  const Unfinished* older() const { return older_; }
 
 private:
+  void leave_list(const List_lock&)
+  {
+    is_listed_ = false;
+    (newer_ == nullptr ? newest_unfinished : newer_->older_) = older_;
+    if(older_ != nullptr)
+      older_->newer_ = newer_;
+  }
+
   const Interrupt_guard guard_;
-
-public:
-  const Place place;
-
-private:
-  std::atomic<const char*>* slot_ = nullptr;
+  const fs::path path_, target_; // no target of a folder
+  bool is_listed_ = false;
+  Unfinished *older_ = nullptr, *newer_ = nullptr;
 };
+
+void remove_unfinished(int signal)
+{
+  List_lock::take();
+  for(const Unfinished* i = newest_unfinished; i != nullptr; i = i->older())
+    i->remove();
+  ::signal(signal, SIG_DFL);
+  raise(signal);
+}
 
 // A new file with the owner and the mode of that which it will replace; nobody else reads it before.
-int create_temporary(const Place& place)
+int create_temporary(const char* path, const File_status* replaced)
 {
-  File_status old = {};
-  const bool is_replaced = look_up(place.target, old);
-  const int file =
-    ::open(place.temporary_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, is_replaced ? 0600 : 0666);
-  if(file >= 0 && is_replaced && (fchown(file, old.st_uid, old.st_gid) == 0 || errno == EPERM))
-    fchmod(file, old.st_mode & 07777U);
+  const int file = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, replaced != nullptr ? 0600 : 0666);
+  if(file >= 0 && replaced != nullptr && (fchown(file, replaced->st_uid, replaced->st_gid) == 0 || errno == EPERM))
+    fchmod(file, replaced->st_mode & 07777U);
   return file;
 }
 
-int open_output(const Place& place)
+// A file descriptor, or an error that is negative, as below.
+int open_at_once(const fs::path& path)
 {
-  if(is_standard_output(place.path)) // To open it again would mean to begin at the begin of a file.
-  {
+  const bool is_standard = is_standard_output(path);
+  if(is_standard) // To open it again would mean to begin at the begin of a file.
     std::cout.flush();
-    return fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
-  }
-  if(place.is_at_once)
-    return ::open(place.path.c_str(), O_WRONLY | O_CLOEXEC);
-  return create_temporary(place);
+  const int file = is_standard ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  return file < 0 ? -errno : file;
 }
 
-void write_stream(const Place& place, const std::function<void(std::ostream&)>& write)
+int open_beside(const fs::path& target, Unfinished& unfinished)
+{
+  File_status old = {};
+  const bool is_replaced = look_up(target, old);
+  return unfinished.make([&](const char* path) { return create_temporary(path, is_replaced ? &old : nullptr); });
+}
+
+void write_stream(const fs::path& path, int file, const std::function<void(std::ostream&)>& write)
 {
   int error = 0;
-  const int file = open_output(place);
-  if(file < 0)
-    throw output_error(place.path, errno);
   bool is_written = false;
   {
     boost::iostreams::stream<File_sink> stream(File_sink{file, &error}, 1 << 16);
@@ -257,16 +311,7 @@ void write_stream(const Place& place, const std::function<void(std::ostream&)>& 
     is_written = !stream.fail();
   }
   if(!is_written || error != 0)
-    throw output_error(place.path, error);
-}
-
-void put_in_place(const Place& place)
-{
-  std::error_code error;
-  if(!place.is_at_once)
-    fs::rename(place.temporary_path, place.target, error);
-  if(error)
-    throw output_error(place.path, error.value());
+    throw output_error(path, error);
 }
 
 // Those of the group that lives.
@@ -335,7 +380,8 @@ void flush_standard_output()
 
 struct Output_group::Files
 {
-  std::list<Partial_file> list;
+  std::list<Unfinished> made; // the newest first, which is to be removed first
+  std::vector<fs::path> to_be_removed;
 };
 
 Output_group::Output_group()
@@ -356,19 +402,68 @@ void Output_group::put_in_place()
 {
   if(!files_)
     return;
-  for(const Partial_file& file : files_->list)
-    reeb_graph_program::put_in_place(file.place);
-  files_->list.clear();
+  int error = 0;
+  auto last = files_->made.rbegin();
+  {
+    const List_lock lock;
+    for(; last != files_->made.rend(); ++last)
+      if(error = last->put_in_place(lock); error != 0)
+        break;
+    if(error == 0)
+      for(const fs::path& path : files_->to_be_removed)
+        ::unlink(path.c_str());
+  }
+  if(error != 0)
+    throw output_error(last->target(), error);
+  files_->made.clear();
+  files_->to_be_removed.clear();
 }
 
 void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write)
 {
   Output_group group;
-  const Place& place = files_of_thread->list.emplace_back(path).place;
   std::optional<Progress_bar> progress_bar;
-  if(!place.is_at_once) // which may be on the terminal, too
+  int file = 0;
+  if(is_written_at_once(path)) // which may be on the terminal, as the bar is
+    file = open_at_once(path);
+  else
+  {
+    std::error_code ignored; // of a path that cannot be looked up, as it will be told
+    if(fs::is_directory(path, ignored))
+      throw output_error(path, EISDIR);
+    const fs::path target = target_of(path);
+    file = open_beside(target, files_of_thread->made.emplace_front(temporary_path_beside(target), target));
     progress_bar.emplace("writing");
-  write_stream(place, write);
+  }
+  if(file < 0)
+    throw output_error(path, -file);
+  write_stream(path, file, write);
+  group.put_in_place();
+}
+
+void make_folder(const fs::path& path)
+{
+  Output_group group;
+  fs::path folder;
+  for(const fs::path& part : path)
+  {
+    folder /= part;
+    std::error_code error;
+    if(fs::is_directory(folder, error) || part.empty())
+      continue;
+    const int result = files_of_thread->made.emplace_front(folder, fs::path()).make([](const char* name) {
+      return ::mkdir(name, 0777);
+    });
+    if(result < 0 && !fs::is_directory(folder, error)) // which another program may have made meanwhile
+      throw Output_error(path.string() + ": the folder cannot be made: " + std::generic_category().message(-result));
+  }
+  group.put_in_place();
+}
+
+void remove_file(const fs::path& path)
+{
+  Output_group group;
+  files_of_thread->to_be_removed.push_back(path);
   group.put_in_place();
 }
 

@@ -47,8 +47,9 @@ std::ostream& report_stream(const std::vector<std::filesystem::path>& outputs);
 void flush_standard_output();
 
 // Files that belong together: what this thread writes while such an object lives stays beside its place. None is there
-// before put_in_place(), nor after an exception before it. A group within another one is a part of that. What is written
-// at once, as standard output, does not wait.
+// before put_in_place(), nor after an exception before it, nor if a signal ends the program: all are put in place before
+// that, or none is. The same is so of folders that are made, and of files that are removed. A group within another one is a
+// part of that. What is written at once, as standard output, does not wait.
 class Output_group : boost::noncopyable
 {
 public:
@@ -66,6 +67,12 @@ private:
 // Calls `write` with a stream to a temporary file in the same folder, and renames that file to `path` afterwards: the file is
 // complete or as it was before, and keeps its mode. Throws std::runtime_error, and what `write` throws.
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+
+// Makes a folder, and those that it is in, if they are not there. Throws Output_error.
+void make_folder(const std::filesystem::path& path);
+
+// Removes a file, if it is there.
+void remove_file(const std::filesystem::path& path);
 
 inline bool is_npy(const std::filesystem::path& path) { return path.extension() == ".npy"; }
 

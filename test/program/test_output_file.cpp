@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -19,6 +20,7 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -27,7 +29,9 @@
 // Whoever interrupts the program finds the files as they were: argument 1 is a folder for them.
 
 namespace fs = std::filesystem;
+using reeb_graph_program::make_folder;
 using reeb_graph_program::Output_group;
+using reeb_graph_program::remove_file;
 using reeb_graph_program::write_file;
 
 namespace {
@@ -54,6 +58,72 @@ std::string contents_after_interrupt(const fs::path& folder, int signal, int& en
     contents.append(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   }
   return contents;
+}
+
+// Writes so many files that belong together into a new folder, and removes one that is there.
+constexpr std::size_t number_of_many = 3000;
+void write_many(const fs::path& folder)
+{
+  Output_group files;
+  make_folder(folder / "new" / "deep");
+  for(std::size_t i = 0; i != number_of_many; ++i)
+    write_file(folder / "new" / "deep" / std::to_string(i), [](std::ostream& stream) { stream << "first"; });
+  remove_file(folder / "old");
+  files.put_in_place();
+}
+
+// Lets a process write these for some microseconds, and then ends it by a signal, or not if there is none.
+void interrupt_many(const fs::path& folder, int signal, unsigned microseconds)
+{
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  write_file(folder / "old", [](std::ostream& stream) { stream << "old"; });
+  const pid_t child = fork();
+  if(child == 0)
+  {
+    write_many(folder);
+    _exit(EXIT_SUCCESS);
+  }
+  if(signal != 0)
+  {
+    std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+    kill(child, signal);
+  }
+  waitpid(child, nullptr, 0);
+}
+
+// All of these files are there, or none of them and no folder.
+bool are_all_or_none(const fs::path& folder)
+{
+  std::size_t number = 0, partial = 0;
+  for(const auto& entry : fs::recursive_directory_iterator(folder))
+  {
+    number += entry.is_regular_file() ? 1 : 0;
+    partial += entry.path().extension() == ".partial" ? 1 : 0;
+  }
+  const bool is_old = fs::exists(folder / "old");
+  return partial == 0 && number == (is_old ? 1 : number_of_many) && is_old != fs::exists(folder / "new");
+}
+
+// Signals at random times, from before the first file to behind the last one.
+bool are_many_all_or_none(const fs::path& folder)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  interrupt_many(folder, 0, 0);
+  const std::chrono::microseconds time =
+    std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begin);
+  const unsigned seed = std::random_device()();
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<unsigned> microseconds(0, static_cast<unsigned>(time.count()) * 5 / 4);
+  bool is_right = are_all_or_none(folder);
+  for(int i = 0; i != 20 && is_right; ++i)
+  {
+    interrupt_many(folder, i % 2 == 0 ? SIGINT : SIGTERM, microseconds(random));
+    is_right = are_all_or_none(folder);
+  }
+  if(!is_right)
+    std::cerr << "seed " << seed << '\n';
+  return is_right;
 }
 } // namespace
 
@@ -113,6 +183,22 @@ int main(int, char** arguments)
   }
   waitpid(child, nullptr, 0);
   check(fs::is_empty(folder), "an interrupt leaves some of several files");
+  check(are_many_all_or_none(folder), "signals leave some of thousands of files, or a folder");
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  has_thrown = false;
+  try
+  {
+    Output_group files;
+    make_folder(folder / "new" / "deep");
+    write_file(folder / "new" / "deep" / "file", write_first);
+    write_file(folder / "new" / "deep" / "last", [](std::ostream& stream) { stream.setstate(std::ios::failbit); });
+  }
+  catch(const std::runtime_error&)
+  {
+    has_thrown = true;
+  }
+  check(has_thrown && fs::is_empty(folder), "a folder stays when what belongs to it fails");
   // Threads write groups of their own.
   std::vector<std::thread> threads;
   for(int i = 0; i < 8; ++i)
