@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -117,7 +118,8 @@ struct Filled_component
 };
 
 // Fills the borders of a component. Where a border passes a point twice, as at both sides of a slit, it is one point: the border
-// is closed there. What is left of it is an opening if it is not on one line.
+// is closed there. What is left of it is an opening if it is not on one line. Where a border passes an edge twice in the same
+// direction, a Moebius strip has been cut open: that is one opening.
 class Border_filling
 {
 public:
@@ -128,12 +130,20 @@ public:
   {
     path_.clear();
     places_.clear();
+    std::set<std::pair<Point, Point>> edges;
+    std::set<Point> left_open;
+    for(const auto h : cycle)
+    {
+      const Point &from = mesh_.point(mesh_.source(h)), &to = mesh_.point(mesh_.target(h));
+      if(!edges.insert({from, to}).second)
+        left_open.insert({from, to});
+    }
     places_[mesh_.point(mesh_.source(cycle.front()))] = 0;
     for(const auto h : cycle)
     {
       path_.push_back(h);
       const auto [place, is_new] = places_.insert({mesh_.point(mesh_.target(h)), path_.size()});
-      if(!is_new && h != cycle.back())
+      if(!is_new && h != cycle.back() && left_open.count(place->first) == 0)
         place->second = close(place->second);
     }
     polygons_.push_back(path_);
