@@ -450,6 +450,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(surfaces_with_holes_have_loops_without_inside, Mes
       BOOST_TEST(loop.halfedges.size() == 3u);
 }
 
+BOOST_AUTO_TEST_CASE(without_inside_loops_are_not_much_longer)
+{
+  generated_surfaces::Triangle_soup soup = Voxel_solid(9, 3).surface();
+  const auto length = [&] {
+    double sum = 0;
+    const auto mesh = make_mesh<Surface_mesh>(soup);
+    for(const auto& loop : find_loops(mesh, 4).loops())
+      sum += loop.length;
+    return sum;
+  };
+  const double closed = length();
+  soup.triangles.pop_back();
+  BOOST_TEST(length() < 2.5 * closed);
+}
+
 BOOST_AUTO_TEST_CASE(what_intersects_itself_has_no_inside)
 {
   const auto circle = [](double t) { return handle_samples::Vector{std::cos(t), std::sin(t), 0}; };

@@ -9,6 +9,10 @@
 #ifndef CGAL_REEB_GRAPH_TEST_GROWTH_TABLE_H
 #define CGAL_REEB_GRAPH_TEST_GROWTH_TABLE_H
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -58,6 +62,23 @@ public:
     print(input, function.name, best, function.largest_exponent);
   }
 
+  // The same for megabytes of memory beyond those of the input, in place of milliseconds.
+  template <class Subjects, class Subject>
+  void measure_memory(const std::string& input, const Subjects& subjects, const Function<Subject>& function)
+  {
+    const std::string name = function.name + ", memory";
+    if((input + ' ' + name).find(filter_) == std::string::npos)
+      return;
+    std::array<Best, 3> best;
+    for(std::size_t i = 0; i < best.size(); ++i)
+    {
+      const double before = peak_of([] {});
+      best[i].seconds = 1e-3 * (peak_of([&] { function.run(*subjects[i]); }) - before);
+      best[i].work = static_cast<double>(subjects[i]->size());
+    }
+    print(input, name, best, function.largest_exponent);
+  }
+
   std::size_t number_of_failures() const { return number_of_failures_; }
 
 private:
@@ -80,6 +101,20 @@ private:
       best.work = static_cast<double>(subject.size() + output);
       sum += seconds;
     }
+  }
+
+  // In megabytes, of a process of its own.
+  static double peak_of(const std::function<void()>& run)
+  {
+    const pid_t child = fork();
+    if(child == 0)
+    {
+      run();
+      _exit(0);
+    }
+    rusage usage = {};
+    wait4(child, nullptr, 0, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
   }
 
   static bool is_too_short(const std::array<Best, 3>& best) { return best[2].seconds < 0.03; }

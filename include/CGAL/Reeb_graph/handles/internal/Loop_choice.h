@@ -376,7 +376,7 @@ public:
         if(!component.projection.empty())
           halves_.pop_back();
         component.projection.clear();
-        halves_.emplace_back(component, splitting(component));
+        halves_.emplace_back(component, splitting(surface_, component));
       }
       std::vector<std::uint64_t> random(component.size());
       std::generate(random.begin(), random.end(), std::mt19937_64());

@@ -15,7 +15,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -272,6 +274,23 @@ public:
     is_valid_ = is_projection();
   }
 
+  // The halves of two given bases, where loop i of the second one crosses loop i of the first one from its right to its left, and no
+  // other one.
+  Loop_halves(const Component_loops& loops, std::array<Rows, 2> bases)
+    : size_(loops.size() / 2),
+      is_valid_(true),
+      basis_(std::move(bases))
+  {
+    const Rows forms = loops.intersection_numbers()[0];
+    for(const auto& crossed : forms)
+      for(int half : {0, 1})
+      {
+        auto& row = coordinates_[half].emplace_back();
+        for(const auto& loop : basis_[1 - half])
+          row.push_back(half == 0 ? dot_product(crossed, loop) : -dot_product(crossed, loop));
+      }
+  }
+
   bool is_valid() const { return is_valid_; }
   std::size_t size() const { return size_; }
 
@@ -329,42 +348,66 @@ private:
   std::array<Rows, 2> coordinates_, basis_;
 };
 
-// Some projection to an isotropic half along another one, for a surface without inside: a symplectic basis e_j, f_j is
-// made of the loops b, and each f_j stays.
-inline Rows splitting(const Component_loops& loops)
+// Bases of two isotropic halves for a surface without inside: a symplectic basis is made of the loops b, the shortest first, so
+// that few become long sums.
+inline std::array<Rows, 2> splitting(const Closed_surface& surface, const Component_loops& loops)
 {
+  struct Loop
+  {
+    double length; // no less than that of a walk
+    std::vector<Integer> coordinates;
+
+    void add(const Loop& other, const Integer& factor)
+    {
+      if(factor == 0)
+        return;
+      add_multiple(coordinates, other.coordinates, factor);
+      length += std::abs(static_cast<double>(factor)) * other.length;
+    }
+  };
   const std::size_t size = loops.size();
   const Rows forms = loops.intersection_numbers()[0];
-  Rows rest(size, std::vector<Integer>(size, Integer(0)));
+  std::vector<Loop> rest;
   for(std::size_t k = 0; k != size; ++k)
-    rest[k][k] = Integer(1);
-  Rows projection(size, std::vector<Integer>(size, Integer(0)));
+  {
+    Halfedge_walk walk = loops.walk(k);
+    reduce(walk);
+    rest.push_back({surface.length(walk), std::vector<Integer>(size, Integer(0))});
+    rest[k].coordinates[k] = Integer(1);
+  }
+  std::array<Rows, 2> bases;
   while(!rest.empty())
   {
-    const std::vector<Integer> e = rest.front(), crossed = combination(e, forms);
+    std::stable_sort(rest.begin(), rest.end(), [](const Loop& a, const Loop& b) { return a.length < b.length; });
+    Loop e = std::move(rest.front());
     rest.erase(rest.begin());
-    const auto crossing = [&](std::size_t i) { return dot_product(crossed, rest[i]); };
+    const std::vector<Integer> crossed = combination(e.coordinates, forms);
+    std::vector<Integer> crossings;
+    for(const Loop& x : rest)
+      crossings.push_back(dot_product(crossed, x.coordinates));
     std::size_t least = 0, number = 0;
     while(number != 1)
     {
-      std::tie(least, number) = find_least(0, rest.size(), crossing);
-      const Integer divisor = crossing(least);
+      std::tie(least, number) = find_least(0, rest.size(), [&](std::size_t i) { return crossings[i]; });
       for(std::size_t i = 0; i != rest.size(); ++i)
-        if(i != least)
-          add_multiple(rest[i], rest[least], -(crossing(i) / divisor));
+        if(const Integer factor = crossings[i] / crossings[least]; i != least)
+        {
+          rest[i].add(rest[least], -factor);
+          crossings[i] -= factor * crossings[least];
+        }
     }
-    const Integer sign = crossing(least);
-    std::vector<Integer> f(size, Integer(0));
-    add_multiple(f, rest[least], sign);
+    Loop f = std::move(rest[least]);
     rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(least));
-    const std::vector<Integer> crossed_by_f = combination(f, forms);
-    for(auto& x : rest)
-      add_multiple(x, e, dot_product(crossed_by_f, x)); // x crosses neither e nor f then
-    for(std::size_t k = 0; k != size; ++k)
-      for(std::size_t i = 0; i != size; ++i)
-        projection[k][i] += crossed[k] * f[i];
+    if(crossings[least] < 0)
+      for(Integer& coordinate : f.coordinates)
+        coordinate = -coordinate;
+    const std::vector<Integer> crossed_by_f = combination(f.coordinates, forms);
+    for(Loop& x : rest)
+      x.add(e, dot_product(crossed_by_f, x.coordinates)); // x crosses neither e nor f then
+    bases[0].push_back(std::move(e.coordinates));
+    bases[1].push_back(std::move(f.coordinates));
   }
-  return projection;
+  return bases;
 }
 
 // Writes the codes of the edges in cotrees, from those that are in no tree: the codes of the edges of a face add up to 0.
