@@ -31,10 +31,9 @@ RULES = dict.fromkeys(("contractible_loops", "vertices_outside", "crossing_edges
 CERTIFICATE = ("contractible_loops", "vertices_outside", "crossing_edges")
 RULES |= {"borders_not_level": 0, "genus_left": 0, "range_of_it": 1.0}
 
-def run(case, *arguments):
-    """Run a command with --json, and return its report; all that it says is in `case.said`."""
+def run(*arguments):
+    """Run a command with --json, and return its report."""
     done = subprocess.run([PROGRAM, *map(str, arguments), "--json"], capture_output=True, text=True, timeout=900)
-    case.said = done.stdout + done.stderr
     if done.returncode != 0:
         raise RuntimeError(f"{' '.join(done.stderr.split())[:300]} [exit code {done.returncode}]")
     return json.loads(done.stdout)
@@ -58,7 +57,7 @@ def length(case, lines):
 # ---- the commands of the program
 
 def repair(case):
-    found = run(case, "repair", case.raw, *case.repair, "--output", case.path("repaired.off"))
+    found = run("repair", case.raw, *case.repair, "--output", case.path("repaired.off"))
     triangles, points = read_off(case.path("repaired.off"))
     counts, volume = found["result"], meshes.volume(triangles, points / case.unit)
     result = {"components": counts["components"], "borders": counts["border_loops"], "faces": len(triangles)}
@@ -66,19 +65,19 @@ def repair(case):
     return result | ({"volume": volume} if "volume" in case.truths else {})
 
 def compute(case):
-    found = run(case, "compute", case.file, *height(case), "--table")
+    found = run("compute", case.file, *height(case), "--table")
     result = {name: found[name] for name in ("components", "minima", "maxima", "genus")[: 4 if found["components"] == 1 else 3]}
     result |= {"borders": found["border_loops"], "euler": found["euler_characteristic"], "area": sum(arc["area"] for arc in found["arc_table"])}
     saddles = sum(int(multiplicity) * number for multiplicity, number in found["saddles"].items())
     return result | {"saddles": saddles, "reeb_loops": found["loops"] + (found["hidden_handles"] or 0)}
 
 def field(case):
-    found = run(case, "field", case.file, "--type", "height", *height(case)[2:], "--output", case.path("field.txt"))
+    found = run("field", case.file, "--type", "height", *height(case)[2:], "--output", case.path("field.txt"))
     values = np.loadtxt(case.path("field.txt"))
     return {"values": found["values"], "range": found["highest"] - found["lowest"], "are_right": largest(values - case.heights) / case.unit <= 1e-9 * case.size}
 
 def contour(case):
-    found = run(case, "contour", case.file, *height(case), "--level", repr(case.level), "--output", case.path("contours.polylines.txt"))
+    found = run("contour", case.file, *height(case), "--level", repr(case.level), "--output", case.path("contours.polylines.txt"))
     lines = [np.array(line.split()[1:], dtype=float).reshape(-1, 3) for line in open(case.path("contours.polylines.txt"))]
     return {"contours": found["contours"], "contour_length": length(case, lines)}
 
@@ -89,20 +88,20 @@ def pairs_of_loops(loops):
     return {"pairs": (len(kinds) - kinds.count("hole")) / 2} | shortest
 
 def handles(case):
-    found = run(case, "handles", case.raw if case.is_self_repairing else case.file, *height(case))
+    found = run("handles", case.raw if case.is_self_repairing else case.file, *height(case))
     return pairs_of_loops([(loop["kind"], loop["length"]) for loop in found["loops"]])
 
 def skeleton(case):
     if case.skeleton and case.truths["borders"]:
         return {}  # which would not be borders any more
     root = ("--root", case.heights.argmin()) if "order" in case.truths else ()
-    found = run(case, "skeleton", case.raw if case.is_self_repairing else case.file, *case.skeleton, *root, "--output", case.path("lines.swc"))
+    found = run("skeleton", case.raw if case.is_self_repairing else case.file, *case.skeleton, *root, "--output", case.path("lines.swc"))
     result = {name: found[name] for name in (*CERTIFICATE, "ends", "loops", "junctions") if name in case.truths or name in RULES}
     lengths, areas, radii, inscribed = np.array([[arc[name] for name in ("length", "area", "radius", "inscribed_radius")] for arc in found["arcs"]]).T
     result |= {"length": lengths.sum(), "area": areas.sum(), "radius": lengths @ inscribed / lengths.sum(), "thickest": radii.max()}
     result |= {"order": found["strahler_order"]} if root else {}
     if case.measured["borders"] == 0 and not case.truths["repair"]:
-        result["is_turned_said"] = ("inside out" in case.said.lower()) == (case.name.endswith("/inside_out"))
+        result["is_turned_said"] = (((found["input"] or {}).get("inside_out_solids") or 0) > 0) == case.name.endswith("/inside_out")
     return result | {"radii_of_0": int((np.loadtxt(case.path("lines.swc"), ndmin=2)[:, 5] <= 0).sum())}
 
 def demo(case):
@@ -176,7 +175,7 @@ def py_skeleton(case):
 
 def cut_by_program(case, kind):
     options = {"levels": (*height(case), "--level", repr(case.level)), "disks": ()}.get(kind, (*height(case), "--cut-open"))
-    found = run(case, "curves", case.file, "--type", kind.replace("_", "-"), *options, "--cut-mesh", case.path("cut.off"))
+    found = run("curves", case.file, "--type", kind.replace("_", "-"), *options, "--cut-mesh", case.path("cut.off"))
     return *read_off(case.path("cut.off")), found["curves"], found["patches"]
 
 def cut_by_python(case, kind):
@@ -205,7 +204,7 @@ def remove_handles(case):
     """None is left by the command, nor by the function."""
     if case.measured["borders"]:
         return {}
-    run(case, "handles", case.file, "--remove", 1000, "--output", case.path("without.off"))
+    run("handles", case.file, "--remove", 1000, "--output", case.path("without.off"))
     both = read_off(case.path("without.off"))[0], reeb_graph.remove_handles(case.triangles, case.points, number=1000).triangles
     return {"genus_left": sum(measures.topology(triangles)["genus"] for triangles in both)}
 
