@@ -34,7 +34,8 @@ namespace reeb_graph_program {
 namespace {
 void add_contour_command(CLI::App& app, Contour_options& options)
 {
-  CLI::App* command = app.add_subcommand("contour", "Write contours, the components of the level sets, as polylines");
+  CLI::App* command =
+    app.add_subcommand("contour", "Write contours, the components of level sets: lines, or triangles");
   Contour_choice& choice = options.choice;
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
@@ -150,7 +151,7 @@ void add_field_command(CLI::App& app, Command_options& options)
   add_input_options(*command, options.input);
   add_list_of_fields(*command, "--type", computed_fields);
   command->add_option("--type", options.input.field, "The field, one of the list at the end")
-    ->check(CLI::IsMember({"harmonic", "harmonic-between-borders", "poisson", "unit-gradient", "geodesic", "height"}))
+    ->check(CLI::IsMember(names_of_computed_fields))
     ->required();
   add_choice(*command, "--unreached", options.input.is_unreached_left, Choices<bool>{{"error", false}, {"nan", true}},
              "What the vertices of components are without a vertex of --source, or of --min and --max: an error, the "
@@ -185,7 +186,7 @@ void add_handles_command(CLI::App& app, Handles_options& options)
   add_output_files(*command, options.output_paths,
                    "Write the mesh after the removal to these files, .off, .ply, .obj, .stl, or .vtp; without a "
                    "removal, write the loops, as --loops does");
-  add_page_options(*command, options);
+  add_page_options(*command, options, "the graph and the loops on the surface", "the field, for the page");
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph handles scan.ply --remove-below 5% --output clean.ply");
@@ -194,7 +195,7 @@ void add_handles_command(CLI::App& app, Handles_options& options)
 
 void add_repair_command(CLI::App& app, Repair_command_options& options)
 {
-  CLI::App* command = app.add_subcommand("repair", "Make an oriented manifold surface of what a mesh is");
+  CLI::App* command = app.add_subcommand("repair", "Make an oriented manifold surface of a mesh, or of tetrahedra");
   begin_group(*command, "Input");
   add_mesh_file(*command, options.input);
   begin_group(*command, "Repair, in this order");
@@ -247,20 +248,28 @@ void add_repair_command(CLI::App& app, Repair_command_options& options)
   command->callback([&options] { run_with_threads(0, [&options] { run_repair(options); }); });
 }
 
+CLI::ValidationError no_place(const std::string& option, const std::string& text)
+{
+  return CLI::ValidationError(option,
+                              quote(text) + " is none of "
+                                + (option == "--root" ? "tip, thickest, and a vertex by its number"
+                                                      : "a vertex by its number, a point X,Y,Z, thickest, and tips"));
+}
+
 Skeleton_place parse_place(const std::string& option, const std::string& text)
 {
   if(text == "thickest")
     return {Skeleton_place::THICKEST};
   if(text == "tips")
     return {Skeleton_place::TIPS};
-  if(text.find(',') == std::string::npos)
+  if(text.find_first_not_of("-0123456789") == std::string::npos)
     return {Skeleton_place::VERTEX, parse_whole_number(option, text, {})};
   std::vector<double> numbers;
   std::istringstream words(text + ',');
   for(std::string word; std::getline(words, word, ',');)
-    numbers.push_back(parse_real_number(option, word));
+    numbers.push_back(text.find(',') == std::string::npos ? 0 : parse_real_number(option, word));
   if(numbers.size() != 3)
-    throw CLI::ValidationError(option, quote(text) + " is neither a vertex nor a point X,Y,Z");
+    throw no_place(option, text);
   return {Skeleton_place::POINT, 0, Point(numbers[0], numbers[1], numbers[2])};
 }
 
@@ -268,28 +277,29 @@ void add_skeleton_places(CLI::App& command, Skeleton_command_options& options)
 {
   for(const auto& [name, places, description] :
       {std::make_tuple("--from", &options.from,
-                       "Write the shortest paths along the skeleton from here, in place of the arcs: a vertex of the "
-                       "mesh by its number, a point X,Y,Z, thickest, or tips; can be repeated; by default thickest"),
+                       "Write the shortest paths along the skeleton from here, in place of the arcs, to .vtp or "
+                       ".polylines.txt: a vertex of the mesh by its number, a point X,Y,Z, thickest, or tips; can be "
+                       "repeated; by default thickest"),
        std::make_tuple("--to", &options.to, "Where these paths lead, given as --from; by default tips")})
   {
     const auto add = [name = std::string(name), places = places](const std::vector<std::string>& texts) {
       for(const std::string& text : texts)
         places->push_back(parse_place(name, text));
     };
-    command.add_option_function<std::vector<std::string>>(name, add, description)
+    suggest("thickest tips", command.add_option_function<std::vector<std::string>>(name, add, description))
       ->type_name("PLACE")
       ->allow_extra_args(false);
   }
   const auto set_root = [&options](const std::string& text) {
     options.settings.root = text == "tip" ? Skeleton_place() : parse_place("--root", text);
     if(text == "tips" || options.settings.root->kind == Skeleton_place::POINT)
-      throw CLI::ValidationError("--root", quote(text) + " is none of tip, thickest, and a vertex");
+      throw no_place("--root", text);
   };
-  command
-    .add_option_function<std::string>(
-      "--root", set_root,
-      "The roots of SWC's trees: a tip of each, the thickest point, which has type 1 in the largest tree, or, of one "
-      "tree, that of a vertex of the mesh")
+  suggest("tip thickest",
+          command.add_option_function<std::string>(
+            "--root", set_root,
+            "The roots of SWC's trees: a tip of each, the thickest point, which has type 1 in the largest tree, or, of "
+            "one tree, that of a vertex of the mesh"))
     ->type_name("tip|thickest|VERTEX");
   add_choice(command, "--radius", options.are_radii_inscribed, Choices<bool>{{"area", false}, {"inscribed", true}},
              "The radii of SWC: those of circles with the area of contours (area, the default), or the distance from "
@@ -327,7 +337,7 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
            "junctions; and junction, 1 in junctions and 0 elsewhere");
   add_file(*command, "--pieces", options.pieces_path,
            "Write the faces of each branch N to a file piece_N.ply in this folder");
-  add_page_options(*command, options);
+  add_page_options(*command, options, "the lines in the surface", "lengths, for the page");
   add_threads_option(*command, options.number_of_threads);
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph skeleton neuron.ply --output neuron.swc");
@@ -385,7 +395,8 @@ int run(int argc, char** argv)
         write_completion(std::cout, app, shell);
         throw CLI::Success();
       },
-      "Print what makes a shell complete commands and options, as in: source <(reeb_graph --completion bash)")
+      "Print what makes a shell complete commands, options and their values, as in: source <(reeb_graph --completion "
+      "bash)")
     ->check(CLI::IsMember({"bash", "zsh", "fish"}))
     ->trigger_on_parse();
   add_compute_command(app, compute_options)->callback([&options = compute_options] {

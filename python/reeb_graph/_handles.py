@@ -67,10 +67,10 @@ def _loop(kind: str, length: float, component: int, place: Any, *others: Any, **
 
 
 class Handles(NamedTuple):
-    """What `handles` finds: loops, and how many pairs of triangles intersect, which is None unless they are ignored."""
+    """What `handles` finds: loops, and how many pairs of triangles intersect."""
 
     loops: list[Loop]
-    intersecting_pairs: int | None
+    intersecting_pairs: int
 
     def __repr__(self) -> str:
         kinds = [loop.kind for loop in self.loops]
@@ -123,7 +123,7 @@ def handles(
     number = len(mesh.points if values is None else values)
     arguments = mesh.checked(number), number, values, bool(shorten), bool(ignore_self_intersections)
     rows, pairs = run(_core.handles, *arguments, threads=threads, progress=progress, name="handles")
-    return Handles([_loop(*row) for row in rows], pairs if ignore_self_intersections else None)
+    return Handles([_loop(*row) for row in rows], pairs)
 
 
 def remove_handles(

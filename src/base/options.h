@@ -35,9 +35,10 @@ struct Input_options
   bool is_unreached_left = false; // components without a vertex whose value is given are NaN
   std::vector<double> direction;  // empty or three coordinates
   bool are_faces_triangulated = false;
-  bool is_strict = false;   // a mesh that is no surface is refused where one is needed
-  bool is_repaired = false; // one is needed, and made of what is read
-  double least_share = 0;   // of the area, of components that stay then
+  bool is_strict = false;       // a mesh that is no surface is refused where one is needed
+  bool is_repaired = false;     // one is needed, and made of what is read
+  bool is_border_taken = false; // of tetrahedra
+  double least_share = 0;       // of the area, of components that stay then
 };
 
 inline std::vector<std::filesystem::path> input_files(const Input_options& options)

@@ -300,7 +300,8 @@ struct Repair_report : Work_report
 
 struct Handles_report : Work_report
 {
-  std::optional<std::size_t> self_intersections;    // pairs of triangles, if they are ignored
+  std::size_t self_intersections = 0; // pairs of faces
+  bool are_self_intersections_ignored = false;
   std::string field;                                // its name
   std::vector<Loop_row> loops;                      // in the order of the file
   std::optional<std::vector<Removal_row>> removals; // if any were to be removed

@@ -22,6 +22,8 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -50,6 +52,20 @@ class Help_formatter : public CLI::Formatter
   }
 };
 
+// Values that shells complete for an option, besides those that it checks itself.
+inline std::map<const CLI::Option*, std::string>& suggested_values()
+{
+  static std::map<const CLI::Option*, std::string> values;
+  return values;
+}
+
+// Lets shells complete these values, between which there are spaces. Others are possible.
+inline CLI::Option* suggest(const std::string& values, CLI::Option* option)
+{
+  suggested_values()[option] = values;
+  return option;
+}
+
 // Puts the options that are added next under this heading.
 inline void begin_group(CLI::App& command, const std::string& name) { command.option_defaults()->group(name); }
 
@@ -64,6 +80,8 @@ inline const std::string computed_fields =
     "  poisson                   follows mean curvature, with 0 at the vertices --source, or at a tip\n"
     "  geodesic                  the distance from the vertices --source, or from a tip\n"
     "  unit-gradient             follows --scalars, or else harmonic, with gradients of length 1\n";
+inline const std::vector<std::string> names_of_computed_fields = {"height",  "harmonic", "harmonic-between-borders",
+                                                                  "poisson", "geodesic", "unit-gradient"};
 inline const std::string fields_of_files =
   "  NAME                      a property of the vertices of a PLY, VTK, VTU, or VTP file\n";
 
@@ -235,10 +253,11 @@ inline void add_format_option(CLI::App& command)
                                                  "fields are txt, csv, and npy");
     extension_of_standard_input() = '.' + name;
   };
-  command
-    .add_option_function<std::string>("--format", set_format,
-                                      "The format of what is read from standard input, -: that of a mesh as files have "
-                                      "it in their names, or txt (the default), csv, or npy of --scalars")
+  suggest(CLI::detail::join(formats, " "),
+          command.add_option_function<std::string>(
+            "--format", set_format,
+            "The format of what is read from standard input, -: that of a mesh as files have it in their names, or txt "
+            "(the default), csv, or npy of --scalars"))
     ->type_name("NAME");
 }
 
@@ -286,20 +305,25 @@ inline void add_strict_option(CLI::App& command, Input_options& options, const s
     "--strict", options.is_strict,
     when
       + "Refuse a mesh that is not an oriented manifold surface. By default, a copy of it is repaired, as "
-        "by repair --all, and vertices keep their numbers");
+        "by repair --all, and vertices keep their numbers"
+      + (when.empty() ? ". Of tetrahedra, the border is taken" : ""));
 }
 
 inline void add_field_option(CLI::App& command, Input_options& options, const std::string& default_field = "")
 {
-  command.add_option("--field", options.field, "The field, one of the list at the end" + default_field)
+  suggest("x y z " + CLI::detail::join(names_of_computed_fields, " "),
+          command.add_option("--field", options.field, "The field, one of the list at the end" + default_field))
     ->check(is_not_empty());
   add_list_of_fields(command, "--field", coordinate_fields + computed_fields + fields_of_files);
 }
 
-inline void add_page_options(CLI::App& command, Command_options& options)
+// `shown` is what the page shows, and `unit` what --unit is the unit of.
+inline void add_page_options(CLI::App& command,
+                             Command_options& options,
+                             const std::string& shown = "the graph on the surface",
+                             const std::string& unit = "the field, for the page and for the drawing of the graph")
 {
-  add_file(command, "--html", options.page_path,
-           "Write a page to this file, .html, that shows the graph on the surface");
+  add_file(command, "--html", options.page_path, "Write a page to this file, .html, that shows " + shown);
   command
     .add_option("--up", options.up,
                 "With --html: the upward direction, x, y, z, -x, -y, or -z. By default, it is the direction of a "
@@ -308,7 +332,7 @@ inline void add_page_options(CLI::App& command, Command_options& options)
                 "is y for a "
                 "mesh that is as tall in y as it is wide, and z for others")
     ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
-  command.add_option("--unit", options.unit, "The unit of the field, for the page and for the drawing of the graph");
+  command.add_option("--unit", options.unit, "The unit of " + unit);
 }
 
 inline void add_threads_option(CLI::App& command, std::size_t& number_of_threads)
@@ -352,10 +376,11 @@ inline void add_graph_options(CLI::App& command, Graph_options& options)
 inline void add_simplification_options(CLI::App& command, Simplification_options& options)
 {
   begin_group(command, "Simplification");
-  command.add_option_function<std::string>(
-    "--simplify", [&options](const std::string& text) { options.threshold = parse_threshold(text); },
-    "Remove branches of the graph that are less persistent than this: X in units of the field, P% of its range, or "
-    "auto, the threshold that best separates noise from features");
+  suggest("auto",
+          command.add_option_function<std::string>(
+            "--simplify", [&options](const std::string& text) { options.threshold = parse_threshold(text); },
+            "Remove branches of the graph that are less persistent than this: X in units of the field, P% of its "
+            "range, or auto, the threshold that best separates noise from features"));
   add_whole_number(command, "--leaves", options.number_of_leaves,
                    "Remove branches until the graph has this many leaves");
   command.add_flag("--cancel-loops", options.are_loops_cancelled, "With --simplify: remove loops as well");
@@ -408,8 +433,8 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
            "With --simplify or --leaves: write a field whose graph is the simplified one to this file; .npy for NumPy");
   CLI::Option* table = command->add_flag_callback(
     "--table", [&options] { options.is_table_wanted = true; },
-    "Print a table of the arcs with their ends, persistences, lengths, areas and numbers of vertices; by default for "
-    "graphs of up to 40 arcs");
+    "Print a table of the arcs with their ends, persistences, lengths, areas or volumes, and numbers of vertices; by "
+    "default for graphs of up to 40 arcs");
   command
     ->add_flag_callback(
       "--no-table", [&options] { options.is_table_wanted = false; }, "Do not print this table")
@@ -419,9 +444,49 @@ inline CLI::App* add_compute_command(CLI::App& app, Compute_options& options)
   return command;
 }
 
+// How many characters have to be put in, taken out, or replaced to make one word of another one.
+inline std::size_t number_of_edits(const std::string& from, const std::string& to)
+{
+  std::vector<std::size_t> edits(to.size() + 1);
+  std::iota(edits.begin(), edits.end(), std::size_t(0));
+  for(std::size_t i = 0; i != from.size(); ++i)
+  {
+    std::size_t before = std::exchange(edits[0], i + 1);
+    for(std::size_t j = 0; j != to.size(); ++j)
+    {
+      const std::size_t replaced = before + (from[i] == to[j] ? 0 : 1);
+      before = edits[j + 1];
+      edits[j + 1] = std::min({replaced, before + 1, edits[j] + 1});
+    }
+  }
+  return edits.back();
+}
+
+// What is said of an option that there is not: which one may be meant, as it begins in the same way, or differs least.
+inline std::string describe_unknown_option(const CLI::App& command, const std::string& word)
+{
+  const std::string given = word.substr(0, word.find('='));
+  std::string nearest;
+  std::size_t least = given.size() / 2;
+  for(const CLI::Option* option : command.get_options())
+    for(const std::string& long_name : option->get_lnames())
+    {
+      const std::string name = "--" + long_name;
+      const std::size_t edits = name.rfind(given, 0) == 0 ? 0 : number_of_edits(given, name);
+      if(edits < least)
+      {
+        nearest = name;
+        least = edits;
+      }
+    }
+  return command.get_name() + " has no option " + quote(given)
+       + (nearest.empty() ? "" : "; the nearest one is " + nearest);
+}
+
 // What is wrong with the command line; a missing or unknown command is named with those that there are.
 inline std::string describe(const CLI::App& app, const CLI::ParseError& error)
 {
+  const std::string help = "\nRun with --help for more information.";
   std::string message = error.what();
   if(app.get_subcommands().empty() && error.get_name() == "RequiredError")
   {
@@ -430,7 +495,13 @@ inline std::string describe(const CLI::App& app, const CLI::ParseError& error)
     for(const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
       message += (message.find(": ") == std::string::npos ? ": " : ", ") + command->get_name();
   }
-  return message + "\nRun with --help for more information.";
+  else if(error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !app.get_subcommands().empty())
+  {
+    for(const std::string& word : app.remaining(true))
+      if(word.size() > 1 && word[0] == '-')
+        return describe_unknown_option(*app.get_subcommands().front(), word) + help;
+  }
+  return message + help;
 }
 
 } // namespace reeb_graph_program

@@ -9,13 +9,17 @@
 #ifndef CGAL_REEB_GRAPH_SRC_COMPLETION_H
 #define CGAL_REEB_GRAPH_SRC_COMPLETION_H
 
+#include "commands/command_line.h"
+
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <ostream>
 #include <string>
 #include <vector>
 
-// Scripts by which shells complete commands, their options, and names of files.
+// Scripts by which shells complete commands, their options, values of these, and names of files.
 namespace reeb_graph_program {
 inline std::vector<const CLI::App*> commands_of(const CLI::App& app)
 {
@@ -32,13 +36,53 @@ inline std::string options_of(const CLI::App& command, const std::string& before
   return text;
 }
 
+// The names that an option takes, with spaces between them: those that it checks, which stand in the name of its type, or
+// those that are suggested.
+inline std::string values_of(const CLI::Option& option)
+{
+  const auto suggested = suggested_values().find(&option);
+  if(suggested != suggested_values().end())
+    return suggested->second;
+  const std::string type = option.get_type_name();
+  const std::size_t begin = type.find('{');
+  std::string values = begin == std::string::npos ? "" : type.substr(begin + 1, type.find('}') - begin - 1);
+  std::replace(values.begin(), values.end(), ',', ' ');
+  return values;
+}
+
+// Calls visit(name, values) for each option of a command that takes names.
+template <class Visit>
+void for_each_option_of_names(const CLI::App& command, const Visit& visit)
+{
+  for(const CLI::Option* option : command.get_options())
+    for(const std::string& name : option->get_lnames())
+      if(const std::string values = values_of(*option); !values.empty())
+        visit(name, values);
+}
+
+// The cases of bash and zsh for what is behind an option: `complete` is what offers the values that stand behind it.
+inline std::string cases_of_values(const CLI::App& app, const std::string& complete, const std::string& end)
+{
+  std::string text;
+  const auto add = [&](const std::string& first_word, const std::string& name, const std::string& values) {
+    text += "      '" + first_word + " --" + name + "') " + complete + values + end + "; return ;;\n";
+  };
+  for_each_option_of_names(app, [&](const auto& name, const auto& values) { add("--" + name, name, values); });
+  for(const CLI::App* command : commands_of(app))
+    for_each_option_of_names(*command,
+                             [&](const auto& name, const auto& values) { add(command->get_name(), name, values); });
+  return text;
+}
+
 inline void write_bash_completion(std::ostream& out, const CLI::App& app)
 {
   std::string names;
   for(const CLI::App* command : commands_of(app))
     names += command->get_name() + " ";
   out << "_reeb_graph() {\n  local words=\"" << names << options_of(app, "--", " ") << "\"\n"
-      << "  if [[ $COMP_CWORD -gt 1 ]]; then\n    case ${COMP_WORDS[1]} in\n";
+      << "  if [[ $COMP_CWORD -gt 1 ]]; then\n    case \"${COMP_WORDS[1]} $3\" in\n"
+      << cases_of_values(app, "COMPREPLY=($(compgen -W \"", "\" -- \"$2\"))")
+      << "    esac\n    case ${COMP_WORDS[1]} in\n";
   for(const CLI::App* command : commands_of(app))
     out << "      " << command->get_name() << ") words=\"" << options_of(*command, "--", " ") << "\" ;;\n";
   out << "    esac\n    [[ $2 == -* ]] || words=\n  fi\n  COMPREPLY=($(compgen -W \"$words\" -- \"$2\"))\n}\n"
@@ -47,11 +91,19 @@ inline void write_bash_completion(std::ostream& out, const CLI::App& app)
 
 inline void write_fish_completion(std::ostream& out, const CLI::App& app)
 {
-  const std::string complete = "complete -c " + app.get_name();
+  const std::string complete = "complete -c " + app.get_name(), at_begin = " -n __fish_use_subcommand";
+  const auto write_options = [&](const CLI::App& command, const std::string& when) {
+    out << options_of(command, complete + when + " -l ", "\n");
+    for_each_option_of_names(command, [&](const auto& name, const auto& values) {
+      out << complete << when << " -l " << name << " -x -a '" << values << "'\n";
+    });
+  };
   for(const CLI::App* command : commands_of(app))
-    out << complete << " -n __fish_use_subcommand -f -a " << command->get_name() << '\n'
-        << options_of(*command, complete + " -n '__fish_seen_subcommand_from " + command->get_name() + "' -l ", "\n");
-  out << options_of(app, complete + " -n __fish_use_subcommand -l ", "\n");
+  {
+    out << complete << at_begin << " -f -a " << command->get_name() << '\n';
+    write_options(*command, " -n '__fish_seen_subcommand_from " + command->get_name() + "'");
+  }
+  write_options(app, at_begin);
 }
 
 // To be a file in a folder of functions, or to be read by `source`.
@@ -60,7 +112,8 @@ inline void write_zsh_completion(std::ostream& out, const CLI::App& app)
   out << "#compdef " << app.get_name() << "\n_reeb_graph() {\n  local -a words_of_command=(";
   for(const CLI::App* command : commands_of(app))
     out << command->get_name() << ' ';
-  out << options_of(app, "--", " ") << ")\n  if (( CURRENT > 2 )); then\n    case $words[2] in\n";
+  out << options_of(app, "--", " ") << ")\n  if (( CURRENT > 2 )); then\n    case \"$words[2] $words[CURRENT-1]\" in\n"
+      << cases_of_values(app, "compadd -- ", "") << "    esac\n    case $words[2] in\n";
   for(const CLI::App* command : commands_of(app))
     out << "      " << command->get_name() << ") words_of_command=(" << options_of(*command, "--", " ") << ") ;;\n";
   out << "    esac\n    if [[ $PREFIX != -* ]]; then _files; return; fi\n  fi\n  compadd -- $words_of_command\n}\n"

@@ -95,7 +95,7 @@ void run_handles(const Handles_options& options)
   const std::vector<std::filesystem::path> outputs = check_options(options);
   Handles_report report;
   Input_options input = options.input;
-  input.is_repaired = !input.is_strict;
+  input.is_repaired = input.is_border_taken = !input.is_strict;
   if(input.field.empty() && input.scalars_path.empty())
     input.field = "z"; // until the mesh is known
   Mesh mesh;
@@ -110,8 +110,8 @@ void run_handles(const Handles_options& options)
     return find_loops(surface, scalar_map, options.are_loops_shortened, options.are_self_intersections_ignored);
   });
   report.loops = loops.rows;
-  if(options.are_self_intersections_ignored)
-    report.self_intersections = loops.self_intersections;
+  report.self_intersections = loops.self_intersections;
+  report.are_self_intersections_ignored = options.are_self_intersections_ignored;
   const Stopwatch output_stopwatch;
   Output_group files;
   for(const std::string& path : options.output_paths)

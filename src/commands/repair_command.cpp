@@ -10,6 +10,7 @@
 #include "base/progress_bar.h"
 #include "base/surface.h"
 #include "commands/commands.h"
+#include "input/assemble_surface.h"
 #include "input/input_error.h"
 #include "input/merge_points.h"
 #include "input/mesh_formats.h"
@@ -111,7 +112,9 @@ void run_repair(const Repair_command_options& options)
   Input_findings findings;
   Polygon_soup soup = read_checked_soup(options.input.mesh_path, true, "", findings);
   if(!soup.tetrahedra.empty())
-    throw Input_error(options.input.mesh_path, "repair is for faces, and the mesh has tetrahedra");
+    take_border_of_tetrahedra(soup);
+  if(soup.polygons.size() == 0 && !soup.edges.empty())
+    throw Input_error(options.input.mesh_path, "repair needs faces, and the mesh has lines alone");
   leave_out_repeated_faces(soup, findings);
   if(options.input.are_faces_triangulated)
   {

@@ -62,7 +62,7 @@ void run_skeleton(const Skeleton_command_options& options)
   const std::vector<std::filesystem::path> outputs = check_options(options);
   Skeleton_report report;
   Input_options input = options.input;
-  input.is_repaired = !input.is_strict;
+  input.is_repaired = input.is_border_taken = !input.is_strict;
   if(!has_field(input))
     input.field = "geodesic";
   Surface surface = read_surface("skeleton", input, report);
@@ -79,8 +79,7 @@ void run_skeleton(const Skeleton_command_options& options)
   if(are_paths_wanted(options))
   {
     const std::vector<Skeleton_place> thickest = {{Skeleton_place::THICKEST}}, tips = {{Skeleton_place::TIPS}};
-    report.skeleton.paths = paths_between(report.skeleton, options.from.empty() ? thickest : options.from,
-                                          options.to.empty() ? tips : options.to);
+    find_paths(report.skeleton, options.from.empty() ? thickest : options.from, options.to.empty() ? tips : options.to);
     if(report.skeleton.paths.empty())
       throw std::runtime_error("no path leads along the skeleton from one of these places to another one");
   }

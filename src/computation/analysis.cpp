@@ -129,7 +129,9 @@ Complex_counts count_complex(const Complex& complex)
 std::string describe_obstacle(const Complex& complex)
 {
   if(!complex.tetrahedra.empty())
-    return "the mesh has tetrahedra";
+    return "the mesh has tetrahedra; reeb_graph repair takes their border";
+  if(complex.triangles.empty())
+    return "the mesh has lines and no faces";
   const Complex_counts counts = count_complex(complex);
   const auto number = [](std::size_t n, const std::string& singular, const std::string& plural) {
     return std::to_string(n) + (n == 1 ? singular : plural);
@@ -142,8 +144,7 @@ std::string describe_obstacle(const Complex& complex)
          + ", the first one, face " + std::to_string(*counts.first_duplicate_face);
   if(const auto& edge = counts.first_edge_without_triangles)
     return number(counts.edges_without_triangles, " edge is on no face", " edges are on no face")
-         + ", the first one, of " + ends(edge->first, edge->second)
-         + "; without such edges, the file has a surface only";
+         + ", the first one, of " + ends(edge->first, edge->second);
   if(const auto& edge = counts.first_edge_of_many_faces)
     return "the edge between " + ends(edge->u, edge->v) + " has " + std::to_string(edge->faces) + " faces";
   if(const auto& vertex = counts.first_vertex_of_several_fans)

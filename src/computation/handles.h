@@ -24,7 +24,7 @@ struct Loops_of_surface
 {
   std::vector<Loop_row> rows;
   std::vector<Polyline> polylines;    // in the same order
-  std::size_t self_intersections = 0; // pairs of triangles, if they are ignored
+  std::size_t self_intersections = 0; // pairs of faces
 };
 
 // The place of a closed polyline, without vertices.

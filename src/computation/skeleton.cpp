@@ -9,6 +9,7 @@
 #include "computation/skeleton.h"
 
 #include "base/progress_bar.h"
+#include "computation/nearest_place.h"
 
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
@@ -58,9 +59,23 @@ std::vector<std::size_t> points_at(const Skeleton& skeleton, const Skeleton_plac
   return points;
 }
 
-std::vector<std::vector<std::size_t>> paths_between(const Skeleton& skeleton,
-                                                    const std::vector<Skeleton_place>& from,
-                                                    const std::vector<Skeleton_place>& to)
+namespace {
+double distance_from_lines(const Skeleton& skeleton, const Point& point)
+{
+  const auto& graph = skeleton.graph;
+  double least = std::numeric_limits<double>::infinity();
+  const auto visit = [&](const Point& a, const Point& b) {
+    least = (std::min)(least, CGAL::Reeb_graph::internal::distance_between(nearest_point(point, {a, b, b}), point));
+  };
+  for(const auto v : CGAL::make_range(vertices(graph))) // some have no segment
+    visit(graph[v].point, graph[v].point);
+  for(const auto e : CGAL::make_range(edges(graph)))
+    visit(graph[source(e, graph)].point, graph[target(e, graph)].point);
+  return least;
+}
+} // namespace
+
+void find_paths(Skeleton& skeleton, const std::vector<Skeleton_place>& from, const std::vector<Skeleton_place>& to)
 {
   const auto points = [&](const std::vector<Skeleton_place>& places) {
     std::vector<std::size_t> result;
@@ -69,16 +84,25 @@ std::vector<std::vector<std::size_t>> paths_between(const Skeleton& skeleton,
       const std::vector<std::size_t> found = points_at(skeleton, place);
       const auto end = place.kind == Skeleton_place::TIPS || found.empty() ? found.end() : found.begin() + 1;
       result.insert(result.end(), found.begin(), end);
+      if(place.kind == Skeleton_place::POINT && !found.empty())
+        skeleton.places.push_back({place.point, found.front(), distance_from_lines(skeleton, place.point)});
     }
     return result;
   };
-  const std::vector<std::size_t> last = points(to);
-  std::vector<std::vector<std::size_t>> paths;
-  for(const std::size_t first : points(from))
-    for(std::vector<std::size_t>& path : CGAL::Reeb_graph::skeleton_paths(skeleton.graph, first, last))
+  const std::vector<std::size_t> first = points(from), last = points(to);
+  for(const std::size_t v : first)
+    for(std::vector<std::size_t>& path : CGAL::Reeb_graph::skeleton_paths(skeleton.graph, v, last))
       if(path.size() > 1)
-        paths.push_back(std::move(path));
-  return paths;
+        skeleton.paths.push_back(std::move(path));
+}
+
+double length_of_path(const Skeleton& skeleton, const std::vector<std::size_t>& path)
+{
+  double length = 0;
+  for(std::size_t i = 1; i < path.size(); ++i)
+    length +=
+      CGAL::Reeb_graph::internal::distance_between(skeleton.graph[path[i - 1]].point, skeleton.graph[path[i]].point);
+  return length;
 }
 
 void complete(Skeleton& skeleton, const std::optional<Skeleton_place>& root)

@@ -36,6 +36,14 @@ struct Skeleton_place
   Point point = CGAL::ORIGIN;
 };
 
+// Where a given point is: the point of the skeleton that is nearest to it, and how far it is from the lines.
+struct Place_of_point
+{
+  Point given;
+  std::size_t point = 0;
+  double distance = 0;
+};
+
 struct Skeleton_settings
 {
   double pruning_ratio = 0.5;
@@ -59,6 +67,7 @@ struct Skeleton
   std::vector<char> are_faces_in_junctions;
   std::size_t soma = none; // the record of the thickest point, if it is the root of the largest tree
   std::vector<std::vector<std::size_t>> paths; // that are asked for
+  std::vector<Place_of_point> places;          // of the points that they lead from, or to
   CGAL::Reeb_graph::Skeleton_certificate certificate = {};
 };
 
@@ -74,10 +83,10 @@ void complete(Skeleton& skeleton, const std::optional<Skeleton_place>& root = st
 // std::runtime_error if the surface has no such vertex, or no face at it.
 std::vector<std::size_t> points_at(const Skeleton& skeleton, const Skeleton_place& place);
 
-// The shortest ways along the skeleton from some places to others.
-std::vector<std::vector<std::size_t>> paths_between(const Skeleton& skeleton,
-                                                    const std::vector<Skeleton_place>& from,
-                                                    const std::vector<Skeleton_place>& to);
+// Finds the shortest ways along the skeleton from some places to others, and where the points among these are.
+void find_paths(Skeleton& skeleton, const std::vector<Skeleton_place>& from, const std::vector<Skeleton_place>& to);
+
+double length_of_path(const Skeleton& skeleton, const std::vector<std::size_t>& path);
 
 // What is said of all branches.
 struct Skeleton_numbers

@@ -57,7 +57,7 @@ public:
     }
     std::ifstream file(path, std::ios::binary);
     if(!file || std::filesystem::is_directory(path))
-      throw Input_error(path, "the file cannot be read");
+      throw unreadable_file(path);
     if(std::filesystem::is_regular_file(path))
       read(file, std::filesystem::file_size(path));
     else

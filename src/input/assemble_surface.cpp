@@ -8,8 +8,12 @@
 
 #include "input/assemble_surface.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -174,6 +178,67 @@ Polygon_soup soup_of(const Surface& surface)
     soup.polygons.end_polygon();
   }
   return soup;
+}
+
+namespace {
+typedef std::array<Corner, 3> Triangle_corners;
+
+Triangle_corners sorted(Triangle_corners corners)
+{
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+// The four sides of a tetrahedron, as they are seen from outside.
+std::array<Triangle_corners, 4> sides_of(std::array<Corner, 4> t, const std::vector<Point>& points)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  const auto point = [&](Corner v) { return Kernel::Point_3(points[v].x(), points[v].y(), points[v].z()); };
+  if(CGAL::orientation(point(t[0]), point(t[1]), point(t[2]), point(t[3])) == CGAL::NEGATIVE)
+    std::swap(t[2], t[3]);
+  return {{{t[0], t[2], t[1]}, {t[0], t[1], t[3]}, {t[1], t[2], t[3]}, {t[2], t[0], t[3]}}};
+}
+} // namespace
+
+void take_border_of_tetrahedra(Polygon_soup& soup)
+{
+  std::vector<std::array<Corner, 4>> tetrahedra;
+  for(std::array<Corner, 4> t : soup.tetrahedra)
+  {
+    std::sort(t.begin(), t.end());
+    tetrahedra.push_back(t);
+  }
+  std::sort(tetrahedra.begin(), tetrahedra.end());
+  tetrahedra.erase(std::unique(tetrahedra.begin(), tetrahedra.end()), tetrahedra.end()); // a repeated one counts once
+  std::vector<std::array<Triangle_corners, 2>> sides;                                    // sorted, and as it is
+  for(const std::array<Corner, 4>& t : tetrahedra)
+    for(const Triangle_corners& side : sides_of(t, soup.points))
+      sides.push_back({sorted(side), side});
+  const auto is_before = [](const auto& a, const auto& b) { return a[0] < b[0]; };
+  std::sort(sides.begin(), sides.end(), is_before);
+  std::size_t others = 0;
+  for(std::size_t i = 0; i != soup.polygons.size(); ++i)
+  {
+    const auto corners = soup.polygons[i];
+    Triangle_corners triangle = {};
+    std::copy_n(corners.begin(), std::min<std::size_t>(corners.size(), 3), triangle.begin());
+    const std::array<Triangle_corners, 2> side = {sorted(triangle), triangle};
+    others += corners.size() == 3 && std::binary_search(sides.begin(), sides.end(), side, is_before) ? 0 : 1;
+  }
+  Polygons border;
+  for(std::size_t i = 0; i != sides.size(); ++i)
+    if((i == 0 || sides[i - 1][0] != sides[i][0]) && (i + 1 == sides.size() || sides[i][0] != sides[i + 1][0]))
+      border.add(sides[i][1]);
+  const auto number = [](std::size_t n, const std::string& singular, const std::string& plural) {
+    return std::to_string(n) + (n == 1 ? singular : plural);
+  };
+  soup.notes.push_back("the border surface of " + number(tetrahedra.size(), " tetrahedron", " tetrahedra")
+                       + " is taken: " + number(border.size(), " face", " faces"));
+  if(others > 0)
+    soup.notes.push_back(number(others, " face of no tetrahedron is", " faces of no tetrahedron are") + " left out");
+  soup.polygons = std::move(border);
+  soup.copies.clear();
+  soup.tetrahedra.clear();
 }
 
 } // namespace reeb_graph_program

@@ -26,6 +26,11 @@ bool assemble_surface(const Polygon_soup& soup, Surface& surface);
 // The points and faces of a surface.
 Polygon_soup soup_of(const Surface& surface);
 
+// Makes the border of the tetrahedra the polygons: the faces of only one of them, as they are seen from outside. What
+// polygons there were, and are no faces of tetrahedra, is left out. Notes say so. Tetrahedra of volume 0 are taken as
+// positively oriented.
+void take_border_of_tetrahedra(Polygon_soup& soup);
+
 // Cuts each polygon of n corners into n - 2 triangles, in its place, whose corners are all of its own. A new edge joins no
 // two vertices that another edge joins, where that can be avoided: the surface stays what it is. Returns the number of
 // the first polygon that cannot be cut: one without area.

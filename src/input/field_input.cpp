@@ -428,7 +428,7 @@ std::string describe_obstacle(const Mesh& mesh)
          + " points of borders coincide with others, or nearly, or lie on edges: " + suggested_repair(points)
          + " joins them";
   }
-  if(!complex.tetrahedra.empty())
+  if(!complex.tetrahedra.empty() || complex.triangles.empty())
     return obstacle;
   return obstacle
        + (complex.edges.empty() ? "; reeb_graph repair --all makes a surface of it"
@@ -451,7 +451,8 @@ Mesh read_mesh(const Input_options& options, Work_report& report)
   check_field_options(options);
   Repair_options repair = all_repairs(options.least_share);
   repair.is_split = options.is_repaired;
-  Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options), &repair);
+  Mesh mesh = read_mesh(options.mesh_path, options.are_faces_triangulated, vertex_property(options), &repair,
+                        options.is_border_taken);
   report.notes.insert(report.notes.end(), mesh.notes.begin(), mesh.notes.end());
   report.input = mesh.findings;
   report.repair = mesh.repair;

@@ -88,6 +88,8 @@ inline std::string reason_against(std::string_view what, const Mesh& mesh)
     return "";
   if(!limit->why.empty() && limit->why != no_surface)
     return std::string(limit->why);
+  if(mesh.complex->triangles.empty() && mesh.complex->tetrahedra.empty())
+    return std::string(what) + " needs faces, and the mesh has lines alone";
   return (limit->why.empty() ? std::string(what) + " needs an oriented manifold surface" : std::string(limit->why))
        + "; " + describe_obstacle(mesh);
 }

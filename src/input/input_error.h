@@ -12,9 +12,11 @@
 #include "base/standard_input.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace reeb_graph_program {
 // What is wrong with an input file, and where.
@@ -28,6 +30,15 @@ public:
     : Input_error((is_standard_input(path) ? name_of_input(path) : path) + ":" + std::to_string(line), message)
   {}
 };
+
+// Why a file is not read.
+inline Input_error unreadable_file(const std::string& path)
+{
+  std::error_code ignored;
+  return Input_error(path, !std::filesystem::exists(path, ignored)        ? "there is no such file"
+                           : std::filesystem::is_directory(path, ignored) ? "this is a folder"
+                                                                          : "the file cannot be read");
+}
 
 // A part of a file as messages show it: in quotation marks, at most 60 characters of it, and none that control a
 // terminal.

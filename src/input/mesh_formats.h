@@ -106,10 +106,12 @@ std::string refused_vtk_type(const std::string& type);
 // Input_error.
 // If a repair is given, a mesh of faces that is no surface is made one by it, and one that is a surface only loses
 // components. The vertices keep their numbers, and what is added comes behind them, with a property map of origins.
+// If it is asked for, tetrahedra are read as their border.
 Mesh read_mesh(const std::string& path,
                bool are_faces_triangulated,
                const std::string& vertex_property,
-               const Repair_options* repair = nullptr);
+               const Repair_options* repair = nullptr,
+               bool is_border_taken = false);
 
 // Whether the mesh of a soup is no surface, but one of faces that the repair can make one; or loses components by it.
 bool is_to_be_repaired(const Polygon_soup& soup, const Mesh& mesh, const Repair_options& repair);

@@ -97,7 +97,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 Polygon_soup read_soup(const std::string& path, const std::string& vertex_property)
 {
   if(!is_standard_input(path) && (!std::ifstream(path) || !std::filesystem::is_regular_file(path)))
-    throw Input_error(path, "the file cannot be read");
+    throw unreadable_file(path);
   const std::string extension = lower_case_extension(path);
   if(extension == ".ply")
     return read_ply(path, vertex_property);
@@ -354,10 +354,13 @@ void repair_mesh(Polygon_soup soup, Repair_options repair, Mesh& mesh)
 Mesh read_mesh(const std::string& path,
                bool are_faces_triangulated,
                const std::string& vertex_property,
-               const Repair_options* repair)
+               const Repair_options* repair,
+               bool is_border_taken)
 {
   Input_findings findings;
   Polygon_soup soup = read_checked_soup(path, are_faces_triangulated, vertex_property, findings);
+  if(is_border_taken && !soup.tetrahedra.empty())
+    take_border_of_tetrahedra(soup);
   std::optional<Polygons> faces; // of a file that has other ones than triangles
   Polygon_soup uncut;            // the same with how often they are there, if they may be repaired
   if(!soup.polygons.are_triangles())

@@ -59,7 +59,7 @@ public:
   {
     if(!std::filesystem::is_regular_file(path)
        || MPI_File_open(MPI_COMM_SELF, path.c_str(), MPI_MODE_RDONLY, MPI_INFO_NULL, &file_) != MPI_SUCCESS)
-      throw Input_error(path_, "the file cannot be read");
+      throw unreadable_file(path_);
     MPI_Offset size = 0;
     MPI_File_get_size(file_, &size);
     size_ = static_cast<std::uint64_t>(size);

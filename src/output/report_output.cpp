@@ -301,12 +301,16 @@ void write_text(std::ostream& out, const Handles_report& report)
       std::count_if(report.loops.begin(), report.loops.end(), [&](const Loop_row& row) { return row.kind == kind; }));
   };
   out << "surface  " << count(number_of("handle"), "handle") << ", " << count(number_of("tunnel"), "tunnel") << ", "
-      << count(number_of("hole"), "hole") << ", " << count(number_of("loop"), "loop") << " without inside\n";
+      << count(number_of("hole"), "hole") << ", " << count(number_of("loop"), "loop")
+      << (report.self_intersections == 0 ? " without inside" : "") << '\n';
   write_input_text(out, report);
   out << "field    " << report.field << '\n';
-  if(report.self_intersections && *report.self_intersections != 0)
-    out << "crossed  " << count(*report.self_intersections, "pair")
-        << " of triangles: kinds of loops are not certain\n";
+  if(report.self_intersections != 0)
+    out << "crossed  " << count(report.self_intersections, "pair") << " of faces: "
+        << (report.are_self_intersections_ignored
+              ? "kinds of loops are not certain\n"
+              : "loops there are neither handles nor tunnels; --ignore-self-intersections tells which, without being "
+                "certain\n");
   if(report.removals)
     write_removals(out, *report.removals);
   if(report.loops.empty())
@@ -343,8 +347,7 @@ void write_json(std::ostream& out, const Handles_report& report)
 {
   nlohmann::ordered_json json;
   json["field"] = report.field;
-  if(report.self_intersections)
-    json["intersecting_pairs"] = *report.self_intersections;
+  json["intersecting_pairs"] = report.self_intersections;
   json["loops"] = nlohmann::ordered_json::array();
   for(const Loop_row& row : report.loops)
   {

@@ -14,7 +14,6 @@
 
 #include <CGAL/Reeb_graph/IO/polylines.h>
 #include <CGAL/Reeb_graph/IO/vtp.h>
-#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -343,6 +342,9 @@ void write_text(std::ostream& out, const Skeleton_report& report)
   if(numbers.mean_tortuosity)
     out << ", mean tortuosity " << *numbers.mean_tortuosity;
   out << ", Strahler order " << numbers.order << '\n';
+  for(const Place_of_point& place : report.skeleton.places)
+    out << "place     " << place.given.x() << ' ' << place.given.y() << ' ' << place.given.z() << " is "
+        << place.distance << " from the line; nearest to it is point " << place.point << '\n';
   if(!report.skeleton.paths.empty())
     out << "paths     " << report.skeleton.paths.size() << '\n';
   for(const auto& [step, seconds] : report.seconds)
@@ -358,6 +360,12 @@ void write_text(std::ostream& out, const Skeleton_report& report)
       out << std::setw(16) << x;
     out << std::setw(11) << row.component << '\n';
   }
+  if(!report.skeleton.paths.empty())
+    out << "\n path   from     to          length\n";
+  number = 0;
+  for(const std::vector<std::size_t>& path : report.skeleton.paths)
+    out << std::setw(5) << number++ << std::setw(7) << path.front() << std::setw(7) << path.back() << std::setw(16)
+        << length_of_path(report.skeleton, path) << '\n';
 }
 
 void write_json(std::ostream& out, const Skeleton_report& report)
@@ -399,13 +407,13 @@ void write_json(std::ostream& out, const Skeleton_report& report)
                             {"greatest_radius", row.greatest_radius},
                             {"inscribed_radius", row.inscribed_radius}});
   for(const auto& path : report.skeleton.paths)
-  {
-    double length = 0;
-    for(std::size_t i = 1; i != path.size(); ++i)
-      length += CGAL::Reeb_graph::internal::distance_between(report.skeleton.graph[path[i - 1]].point,
-                                                             report.skeleton.graph[path[i]].point);
-    json["paths"].push_back({{"from", path.front()}, {"to", path.back()}, {"length", length}});
-  }
+    json["paths"].push_back(
+      {{"from", path.front()}, {"to", path.back()}, {"length", length_of_path(report.skeleton, path)}});
+  for(const Place_of_point& place : report.skeleton.places)
+    json["places"].push_back(
+      {{"given", nlohmann::ordered_json::array({place.given.x(), place.given.y(), place.given.z()})},
+       {"point", place.point},
+       {"distance", place.distance}});
   write_with_costs(out, std::move(json), report);
 }
 

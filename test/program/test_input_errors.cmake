@@ -28,7 +28,13 @@ expect_error("MESH" compute)
 expect_error("" compute tetrahedron.off)
 expect_error("" compute tetrahedron.off --field z --scalars scalars.txt)
 expect_error("no field 'w'" compute tetrahedron.off --field w)
-expect_error("" compute tetrahedron.off --field z --no-such-option)
+expect_error("compute has no option '--no-such-option'\nRun" compute tetrahedron.off --field z --no-such-option)
+foreach(item "--scalar;--scalars" "--scalars-of=x;--scalars" "--feild;--field" "--longest;--longest-loop")
+  list(GET item 0 given)
+  list(GET item 1 nearest)
+  expect_error("compute has no option '--[a-z-]+'; the nearest one is ${nearest}\n" compute tetrahedron.off ${given} z)
+endforeach()
+expect_error("missing.off: there is no such file" compute missing.off --field z)
 # numbers: each option, what is given, and what the message says
 foreach(item "--leaves -1|'-1' is less than 0" "--slabs 0|'0' is less than 1" "--slabs -0|'-0' is less than 1"
              "--leaves 18446744073709551616|'18446744073709551616' is more than 18446744073709551615"
@@ -158,7 +164,20 @@ expect_error_of_curves(
 expect_error_of_curves(
   free_edges.mesh "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 1 0\n0 1 2 0\n\
 0 0 3 0\n0 0 4 0\nTriangles\n1\n1 2 3 0\nEdges\n3\n1 2 0\n5 4 0\n4 2 0\nEnd\n"
-  "2 edges are on no face, the first one, of the vertices 1 and 3; without such edges" --field z)
+  "2 edges are on no face, the first one, of the vertices 1 and 3; reeb_graph repair leaves edges of no face out" --field z)
+
+# lines alone, of which nothing is said as if they had a surface
+file(WRITE ${FOLDER}/lines.vtk "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+     "0 0 0 1 0 0 2 1 0\nLINES 1 4\n3 0 1 2\n")
+foreach(arguments "handles" "skeleton" "curves;--type;pants;--field;x" "compute;--field;harmonic" "repair;--output;a.off"
+                  "field;--type;poisson;--output;a.txt")
+  list(POP_FRONT arguments command)
+  expect_error("lines.vtk: .* needs faces, and the mesh has lines alone" ${command} lines.vtk ${arguments})
+  run(${command} lines.vtk ${arguments})
+  if(error MATCHES "surface")
+    message(SEND_ERROR "${command} speaks of a surface of lines: ${error}")
+  endif()
+endforeach()
 
 # what else needs one
 foreach(option "--html page.html --strict" "--simplified-scalars scalars.txt;--leaves 2")
@@ -245,5 +264,5 @@ expect_error_of_file(long.off "OFF\n3 1 0\nx${long_word} 0 0\n1 0 0\n0 1 1\n3 0 
                      "long.off:3: 'x${begin}[.][.][.]' is not a number" --field z)
 string(ASCII 27 escape)
 expect_error_of_scalars("0\n${escape}c\n2\n3\n" "scalars.txt:2: '[?]c' is not a number")
-expect_error("missing.txt" compute tetrahedron.off --scalars missing.txt ${graph})
-expect_error("[.]: the file cannot be read" compute tetrahedron.off --scalars . ${graph})
+expect_error("missing.txt: there is no such file" compute tetrahedron.off --scalars missing.txt ${graph})
+expect_error("[.]: this is a folder" compute tetrahedron.off --scalars . ${graph})

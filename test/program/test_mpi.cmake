@@ -204,7 +204,7 @@ file(WRITE ${FOLDER}/text.ply "ply\nformat ascii 1.0\nelement vertex 0\nproperty
 file(WRITE ${FOLDER}/tetrahedron.off "${tetrahedron_off}")
 file(WRITE ${FOLDER}/short.raw "ReebRaw1")
 file(WRITE ${FOLDER}/other.raw "Something else, of more than 24 characters")
-expect_error_on_ranks(2 "missing.ply: the file cannot be read" compute missing.ply --field z)
+expect_error_on_ranks(2 "missing.ply: there is no such file" compute missing.ply --field z)
 expect_error_on_ranks(1 "face 0 has 4 vertices and is not a triangle" compute quads.ply --field z)
 expect_error_on_ranks(1 "text.ply.*binary" compute text.ply --field z)
 expect_error_on_ranks(1 "tetrahedron.off: .*[.]ply" compute tetrahedron.off --field z)

@@ -309,7 +309,26 @@ expect_match("${output}" "4 along borders are less than .* from others: 'reeb_gr
 # what is no matter of faces
 file(WRITE ${FOLDER}/tetrahedra.vtk "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
      "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n")
-expect_error("repair is for faces" repair tetrahedra.vtk --output a.ply)
+# of tetrahedra, the border, seen from outside: one listed the other way round, and once more
+expect_success(repair tetrahedra.vtk --output a.off)
+expect_match("${output}" "given    4 vertices, 6 edges, 4 faces.*the border surface of 1 tetrahedron is taken: 4 faces")
+foreach(cells "4 0 1 2 3 4 1 2 3 4" "4 1 0 2 3 4 1 2 4 3 4 1 2 3 4")
+  string(REGEX MATCHALL "[0-9]+" numbers "${cells}")
+  list(LENGTH numbers size)
+  math(EXPR number "${size} / 5")
+  string(REPEAT "10\n" ${number} types)
+  file(WRITE ${FOLDER}/two.vtk "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 float\n"
+       "0 0 0 1 0 0 0 1 0 0 0 1 1 1 1\nCELLS ${number} ${size}\n${cells}\nCELL_TYPES ${number}\n${types}")
+  expect_success(repair two.vtk --output a.off)
+  expect_match("${output}" "result   5 vertices, 9 edges, 6 faces\n         1 component, 0 border loops, Euler characteristic 2, genus 0")
+  expect_success(compute a.off --field z --json)
+  string(JSON type TYPE "${output}" complex)
+  expect_equal("${type}" "NULL")
+endforeach()
+file(WRITE ${FOLDER}/with_faces.mesh "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
+     "0 0 1 0\n1 1 1 0\nTriangles\n2\n1 2 3 0\n1 2 5 0\nTetrahedra\n1\n1 2 3 4 0\nEnd\n")
+expect_success(repair with_faces.mesh --output a.off)
+expect_match("${output}" "1 face of no tetrahedron is left out.*result   5 vertices, 6 edges, 4 faces")
 file(WRITE ${FOLDER}/nan.off "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 1\n3 0 1 2\n")
 expect_error("vertex 0 has a coordinate that is not a finite number" repair nan.off --output a.ply)
 expect_error("the file name of a mesh ends in .off, .ply, .obj, .stl, or .vtp" repair book.off --output a.vtk)

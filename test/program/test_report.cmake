@@ -96,6 +96,13 @@ set(offered_by_bash "source <(\"$0\" --completion bash); COMP_WORDS=(reeb_graph 
 set(offered_by_zsh "compinit() { }; compdef() { }; compadd() { shift; print -l -- $@ }
                     source <(\"$0\" --completion zsh); words=(reeb_graph $1 --); CURRENT=3; PREFIX=--; _reeb_graph")
 set(offered_by_fish "$argv[1] --completion fish | source; complete -C \"reeb_graph $argv[2] --\" | string replace -r '\\t.*' ''")
+# The same of the values of an option, $2, and how it says them.
+set(values_of_bash "source <(\"$0\" --completion bash); COMP_WORDS=(reeb_graph $1 $2 ''); COMP_CWORD=3
+                    _reeb_graph reeb_graph '' $2; printf '%s\\n' \"\${COMPREPLY[@]}\"")
+set(values_of_zsh "compinit() { }; compdef() { }; compadd() { shift; print -l -- $@ }; _files() { print files }
+                   source <(\"$0\" --completion zsh); words=(reeb_graph $1 $2 ''); CURRENT=4; PREFIX=; _reeb_graph")
+set(values_of_fish "$argv[1] --completion fish | source
+                    complete -C \"reeb_graph $argv[2] $argv[3] \" | string replace -r '\\t.*' ''")
 foreach(shell bash zsh fish)
   expect_success(--completion ${shell})
   expect_match("${output}" "longest-loop")
@@ -116,6 +123,19 @@ foreach(shell bash zsh fish)
       string(REGEX REPLACE ".*(--[a-z0-9-]+)$" "\\1" option "${option}")
       if(NOT "\n${words}" MATCHES "\n${option}\n")
         message(SEND_ERROR "${shell} does not complete ${command} ${option}: '${words}'")
+      endif()
+    endforeach()
+  endforeach()
+  foreach(item "compute --ties perturb contract" "compute --field x harmonic-between-borders" "compute --up -z"
+               "skeleton --from thickest tips" "skeleton --root tip" "handles --format vtu" "curves --type pants levels")
+    string(REPLACE " " ";" item "${item}")
+    list(POP_FRONT item command option)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env HOME=${CMAKE_CURRENT_BINARY_DIR}
+                            ${SHELL_${shell}} -c "${values_of_${shell}}" ${PROGRAM} ${command} ${option}
+                    OUTPUT_VARIABLE words ERROR_VARIABLE error)
+    foreach(value IN LISTS item)
+      if(NOT "\n${words}" MATCHES "\n${value}\n")
+        message(SEND_ERROR "${shell} does not complete ${command} ${option} ${value}: '${words}' ${error}")
       endif()
     endforeach()
   endforeach()

@@ -37,6 +37,9 @@ pathlib.Path("volume.mesh").write_text(
 for name, unit in (("large", "1e200"), ("small", "1e-200"), ("largest", "1.5e308")):
     pathlib.Path(f"{name}.off").write_text(f"OFF\n4 4 0\n0 0 0\n{unit} 0 0\n0 {unit} 0\n0 0 {unit}\n"
                                            "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
+# The torus of seven vertices, of which some faces cross.
+pathlib.Path("crossed.off").write_text("OFF\n7 14 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n0 0 2\n2 1 1\n1 2 0\n" + "".join(
+    f"3 {i} {(i + 1) % 7} {(i + 3) % 7}\n3 {i} {(i + 3) % 7} {(i + 2) % 7}\n" for i in range(7)))
 subprocess.run([program, "demo", "--out", "demo"], check=True, stdout=subprocess.DEVNULL)
 surface = "demo/surface.off"
 commands = [["compute", mesh, "--field", "z", "--table"] for mesh in ("closed.off", "sheet.off", "open.off", "volume.mesh")]
@@ -53,6 +56,8 @@ commands += [
     ["skeleton", surface], ["skeleton", "open.off", "--output", "lines.swc", "lines.csv"],
     ["skeleton", "large.off"], ["skeleton", "small.off"], ["skeleton", "largest.off"],
     ["skeleton", "sheet.off", "--fill-borders"], ["skeleton", surface, "--from", "thickest", "--to", "tips"],
+    ["handles", "crossed.off"], ["handles", "crossed.off", "--ignore-self-intersections"],
+    ["handles", "volume.mesh"], ["skeleton", "volume.mesh", "--from", "0,0,0"], ["repair", "volume.mesh", "--output", "a.off"],
 ]
 commands += [["field", surface, "--type", kind, "--output", "field.txt"]
              for kind in ("harmonic", "harmonic-between-borders", "poisson", "unit-gradient", "geodesic", "height")]

@@ -96,6 +96,13 @@ file(GLOB files_of_both_runs ${FOLDER}/pieces/*)
 expect_equal("${files_of_both_runs}" "${files}")
 expect_error("m.off: the file name" skeleton neuron.off --mesh-out m.off)
 expect_error("s.swc: the folder cannot be made" skeleton neuron.off --pieces s.swc)
+expect_error("missing/p.html: the file cannot be written" skeleton neuron.off --pieces new/folder --html missing/p.html)
+# what an earlier run has left stays, too
+file(WRITE ${FOLDER}/pieces/piece_1000.ply "")
+expect_error("missing/p.html: the file cannot be written" skeleton neuron.off --pieces pieces --html missing/p.html)
+if(NOT EXISTS ${FOLDER}/pieces/piece_1000.ply)
+  message(SEND_ERROR "A run that fails removes the pieces of an earlier one")
+endif()
 
 # From here to there.
 expect_success(skeleton neuron.off --from thickest --to tips --output p.vtp p.polylines.txt --json)
@@ -109,7 +116,26 @@ expect_same_file(p.polylines.txt q.polylines.txt)
 expect_success(skeleton neuron.off --from 7 --to -1,0.5,2e1 --output q.polylines.txt --json)
 string(JSON number_of_paths LENGTH "${output}" paths)
 expect_equal("${number_of_paths}" "1")
-expect_error("neither a vertex nor a point" skeleton neuron.off --from 1,2)
+# where a point is, for which the middle of a segment is on the line, and how long paths are
+file(READ ${FOLDER}/p.polylines.txt polyline)
+string(REGEX MATCH "^[0-9]+ ([^ ]+ [^ ]+ [^ ]+) " polyline "${polyline}")
+string(REPLACE " " "," point "${CMAKE_MATCH_1}")
+expect_success(skeleton neuron.off --from ${point} --to 7 --json)
+string(JSON distance GET "${output}" places 0 distance)
+expect_equal("${distance}" "0.0")
+string(JSON from GET "${output}" paths 0 from)
+string(JSON place GET "${output}" places 0 point)
+expect_equal("${from}" "${place}")
+string(JSON length GET "${output}" paths 0 length)
+string(SUBSTRING "${length}" 0 5 length)
+expect_success(skeleton neuron.off --from ${point} --to 7)
+expect_match("${output}" "place     [^\n]* is 0 from the line; nearest to it is point ${place}\n")
+expect_match("${output}" " path   from     to          length\n    0 +${from} +[0-9]+ +${length}[0-9]*\n")
+foreach(place mouth 1,2 1.5)
+  expect_error("--from: '${place}' is none of a vertex by its number, a point X,Y,Z, thickest, and tips"
+               skeleton neuron.off --from "${place}")
+endforeach()
+expect_error("--root: 'mouth' is none of tip, thickest, and a vertex" skeleton neuron.off --root mouth)
 expect_error("no vertex 99999" skeleton neuron.off --from 99999)
 expect_error("no path" skeleton neuron.off --from 7 --to 7)
 foreach(ending swc graphml csv obj json ply)
@@ -148,6 +174,13 @@ expect_error("missing/u.vtp: the file cannot be written" skeleton neuron.off --o
 expect_error("two outputs" skeleton neuron.off --output u.swc ./u.swc)
 expect_error("replace an input" skeleton s.vtp --output u.swc s.vtp)
 expect_error("MESH is required" skeleton --output u.swc)
+
+# A Moebius strip, which is cut, has one border.
+file(WRITE ${FOLDER}/strip.off "OFF\n5 5 0\n1 0 0\n0.3 1 0.2\n-0.8 0.6 -0.1\n-0.8 -0.6 0.3\n0.3 -1 0\n"
+     "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n")
+expect_success(skeleton strip.off --json)
+string(JSON number GET "${output}" border_ends)
+expect_equal("${number}" "1")
 
 # Three triangles on an edge are no surface.
 file(WRITE ${FOLDER}/soup.off "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")

@@ -94,9 +94,10 @@ public:
     return found_->is_bounding(walk(halfedges), false);
   }
 
-  /// \brief returns the number of pairs of faces of a component that intersect, and of its faces without area: kinds are
-  /// not certain where it is not 0. They are counted with the named parameter `ignore_self_intersections`, where a
-  /// component has handles and no holes, else it is 0.
+  /// \brief returns the number of pairs of faces of a component that intersect, and of its faces without area. Where it is
+  /// not 0, the loops have no kind, or, with the named parameter `ignore_self_intersections`, kinds that are not certain.
+  /// They are counted where a component has handles and no holes, unless `check_self_intersections` is `false`, else it is
+  /// 0.
   ///
   /// \param component the number of the component
   std::size_t number_of_self_intersections(std::size_t component) const
@@ -255,7 +256,7 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
   const auto find_self_intersections = [&] {
     if(!are_checked)
       return;
-    self_intersections = found->self_intersections(are_ignored);
+    self_intersections = found->self_intersections(true);
     if(!are_ignored)
       found->refuse_self_intersections(self_intersections);
   };
@@ -265,8 +266,7 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
   internal::set_persistences(
     reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
   progress.report_end();
-  return Handle_and_tunnel_loops<FaceListGraph>(found, closing, loops,
-                                                are_ignored ? self_intersections : std::vector<std::size_t>());
+  return Handle_and_tunnel_loops<FaceListGraph>(found, closing, loops, self_intersections);
 }
 
 } // namespace CGAL::Reeb_graph
