@@ -322,6 +322,10 @@ void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)
     "those that lead to borders stay");
   add_real_number(*command, "--sampling-ratio", options.settings.sampling_ratio,
                   "The distance between points, as a share of the radius, 0.5 by default");
+  add_real_number(
+    *command, "--spacing", options.settings.spacing,
+    "The distance between points, in the unit of the mesh, but before the end of a line; by default by the "
+    "radius");
   add_real_number(*command, "--smooth", options.settings.smooth,
                   "The price of bends when lines are moved to the middle, 1 by default; 0 leaves them where they are");
   command->add_flag_callback(

@@ -99,7 +99,7 @@ class Skeleton:
 
 def skeleton(
     triangles: Any, points: Any = None, scalars: Any = None, *, pruning_ratio: float = 0.5, sampling_ratio: float = 0.5,
-    ends_at_borders: bool = True, smooth: float = 1, least_piece: float = 0, strict: bool = False,
+    ends_at_borders: bool = True, smooth: float = 1, spacing: float = 0, least_piece: float = 0, strict: bool = False,
     threads: int | None = None, progress: Progress = None,
 ) -> Skeleton:
     """Extract a curve skeleton: lines inside of a surface, with a loop for each handle, and radii.
@@ -120,6 +120,8 @@ def skeleton(
         Whether borders are ends; if not, they are filled, as holes of a scan.
     smooth : float
         The price of bends when lines are moved to the middle, up to 100; 0 leaves them where they are.
+    spacing : float
+        The distance between points, in the unit of the mesh, but before the end of a line; 0 for that by the radius.
     least_piece : float
         The share of the area from which on components stay, as for `repair`.
     strict : bool
@@ -140,7 +142,8 @@ def skeleton(
         raise ValueError("a skeleton needs points: they come behind the triangles")
     values = None if scalars is None else _arrays.doubles(_arrays.scalars_of(mesh, scalars))
     number = len(mesh.points if values is None else values)
-    settings = _core.SkeletonSettings(float(pruning_ratio), float(sampling_ratio), bool(ends_at_borders), float(smooth))
+    numbers = float(pruning_ratio), float(sampling_ratio), bool(ends_at_borders), float(smooth), float(spacing)
+    settings = _core.SkeletonSettings(*numbers)
     repairs = _core.RepairOptions(True, None, None, True, not strict, True, float(least_piece), 0, False, False)
     arguments = mesh.checked(number), number, values, settings, repairs
     found = run(_core.skeleton, *arguments, threads=threads, progress=progress, name="skeleton")

@@ -661,7 +661,7 @@ void add_functions(py::module_& module)
   module.def("cut", &cut);
   module.def("cut_levels", &cut_levels);
   module.def("cut_disks", &cut_disks);
-  py::class_<Skeleton_settings>(module, "SkeletonSettings").def(py::init<double, double, bool, double>());
+  py::class_<Skeleton_settings>(module, "SkeletonSettings").def(py::init<double, double, bool, double, double>());
   module.def("skeleton", &skeleton);
   module.def("write_skeleton", &write_skeleton_file);
 }

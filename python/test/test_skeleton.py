@@ -44,6 +44,10 @@ def test_options():
     coarse = reeb_graph.skeleton(triangles, points, sampling_ratio=2)
     fine = reeb_graph.skeleton(triangles, points, sampling_ratio=0.25)
     assert len(fine.points) > 2 * len(coarse.points)
+    equal = reeb_graph.skeleton(triangles, points, spacing=0.1)
+    for arc in equal.arcs:
+        steps = np.linalg.norm(np.diff(equal.points[arc], axis=0), axis=1)
+        assert np.abs(steps[:-1] - 0.1).max() < 1e-3 and steps[-1] < 0.101
     of_field = reeb_graph.skeleton(triangles, points, points[:, 0], pruning_ratio=0)
     assert of_field.n_loops == 1 and of_field.counts["ends"] == 2
     triangles, points = meshes.grid(20, 12, False, True)
@@ -136,7 +140,8 @@ def test_swc_is_a_tree_with_a_cut(tmp_path):
 
 
 @pytest.mark.parametrize("options", [
-    {"pruning_ratio": -1}, {"pruning_ratio": np.nan}, {"sampling_ratio": 0}, {"sampling_ratio": 1e9}, {"scalars": [1.0, 2]},
+    {"pruning_ratio": -1}, {"pruning_ratio": np.nan}, {"sampling_ratio": 0}, {"sampling_ratio": 1e9},
+    {"spacing": -1}, {"spacing": 1e-9}, {"scalars": [1.0, 2]},
 ])
 def test_wrong_numbers(options):
     with pytest.raises(ValueError):

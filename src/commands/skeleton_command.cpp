@@ -47,6 +47,8 @@ std::vector<std::filesystem::path> check_options(const Skeleton_command_options&
     throw std::runtime_error("--pruning-ratio must not be negative or NaN");
   if(!(options.settings.sampling_ratio >= 0.01 && options.settings.sampling_ratio <= 100))
     throw std::runtime_error("--sampling-ratio has to be from 0.01 to 100");
+  if(!(options.settings.spacing >= 0))
+    throw std::runtime_error("--spacing must not be negative or NaN");
   if(!(options.input.least_share >= 0 && options.input.least_share <= 1))
     throw std::runtime_error("--least-piece has to be from 0 to 1");
   if(!(options.settings.smooth >= 0 && options.settings.smooth <= 100))

@@ -136,6 +136,7 @@ Skeleton extract_skeleton(const Surface& surface,
   const auto np = CGAL::parameters::pruning_ratio(settings.pruning_ratio)
                     .sampling_ratio(settings.sampling_ratio)
                     .smooth(settings.smooth)
+                    .spacing(settings.spacing)
                     .ends_at_borders(settings.are_borders_ends)
                     .callback(std::ref(progress_bar));
   skeleton.certificate = scalar_map

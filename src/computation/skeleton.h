@@ -50,6 +50,7 @@ struct Skeleton_settings
   double sampling_ratio = 0.5;
   bool are_borders_ends = true;
   double smooth = 1;
+  double spacing = 0;                                // of points, if they are to be at equal steps
   std::optional<Skeleton_place> root = std::nullopt; // of trees
 };
 

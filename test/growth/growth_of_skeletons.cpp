@@ -12,6 +12,7 @@
 
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -52,11 +53,63 @@ Input noisy_torus(std::size_t number_of_vertices)
   input.values = tilted_height(input.soup);
   return input;
 }
+
+typedef std::array<double, 3> Position;
+
+// A closed tube of squares around a curve over t from 0 to 1, which is nowhere vertical.
+template <class Curve>
+Input tube(const std::string& name, std::size_t number_of_vertices, double radius, const Curve& curve)
+{
+  const std::size_t number = number_of_vertices / 4, last = 4 * (number - 1);
+  Input input = {name, {}, {}};
+  input.soup = generated_surfaces::internal::grid(4, number, true, false, [&](std::size_t corner, std::size_t i) {
+    const double t = static_cast<double>(i) / static_cast<double>(number - 1);
+    const Position p = curve(t), before = curve(t - 1e-6), after = curve(t + 1e-6);
+    const double x = after[0] - before[0], y = after[1] - before[1];
+    const double side = (corner == 1 || corner == 2 ? radius : -radius) / std::hypot(x, y);
+    return Position{p[0] - side * y, p[1] + side * x, p[2] + (corner < 2 ? -radius : radius)};
+  });
+  for(const std::size_t i : {1u, 2u})
+  {
+    input.soup.triangles.push_back({i + 1, i, 0});
+    input.soup.triangles.push_back({last, last + i, last + i + 1});
+  }
+  input.values = tilted_height(input.soup);
+  return input;
+}
+
+// Long tubes, of which lines have thousands of points: as of voxels along an axis, turned, bent and of varied density, and a
+// spiral.
+std::vector<Input> tubes(std::size_t number_of_vertices)
+{
+  const double length = static_cast<double>(number_of_vertices) / 4, pi = std::acos(-1.);
+  return {tube("tube of voxels", number_of_vertices, 0.5,
+               [&](double t) {
+                 return Position{length * t, 0, 0};
+               }),
+          tube("tube of voxels, turned", number_of_vertices, 0.5,
+               [&](double t) {
+                 return Position{0.6 * length * t, 0.48 * length * t, 0.64 * length * t};
+               }),
+          tube("bent tube", number_of_vertices, 0.5,
+               [&](double t) {
+                 const double s = t + 0.9 * std::sin(8 * pi * t) / (8 * pi), turn = 5 * s;
+                 return Position{0.2 * length * std::cos(turn), 0.2 * length * std::sin(turn), 0};
+               }),
+          tube("spiral", number_of_vertices, 0.2, [&](double t) {
+            const double turn = std::sqrt(length * t + 40);
+            return Position{0.5 * turn * std::cos(turn), 0.5 * turn * std::sin(turn), 0};
+          })};
+}
 } // namespace
 
 void measure_skeletons(Table& table)
 {
   Function<Subject> of_distances = functions()[0];
+  of_distances.largest_exponent = 1.32; // 2.5 for twice as many
+  for(std::size_t i = 0; i != tubes(100).size(); ++i)
+    table.measure(tubes(100)[i].name, at_three_sizes<Subject>(2400, [i](std::size_t size) { return tubes(size)[i]; }),
+                  of_distances);
   of_distances.largest_exponent = 1.5; // Contours of all branches would take 2.7.
   table.measure("torus, 15 % noise", at_three_sizes<Subject>(9000, noisy_torus), of_distances);
   const std::size_t n = 3000, number_of_inputs = all_inputs(100).size();

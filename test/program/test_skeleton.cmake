@@ -51,6 +51,8 @@ expect_match("${output}" "1 loop, 0 hidden handles")
 expect_match("${output}" "inside    0 vertices outside, 0 crossing edges, 0 contractible loops, 0 self-intersecting components")
 expect_error("pruning-ratio" skeleton neuron.off --pruning-ratio -1)
 expect_error("sampling-ratio" skeleton neuron.off --sampling-ratio 0)
+expect_error("spacing" skeleton neuron.off --spacing -1)
+expect_error("spacing" skeleton neuron.off --spacing 1e-9)
 expect_error("smooth" skeleton neuron.off --smooth -1)
 expect_error("swc" skeleton neuron.off --output s.txt)
 

@@ -43,8 +43,10 @@ struct Skeleton_vertex
   /// the vertices of the mesh that it stands for, in the order of the mesh: each vertex of a face is in one such list
   std::vector<VertexDescriptor> vertices;
 
-  /// the radius of a circle with the area of the contour there: \f$ \sqrt{A / \pi} \f$, but at least the inscribed radius.
-  /// At a junction it is the mean of what is around, at the end of a tube without border that of the neighbor.
+  /// the radius of a circle with the area of the contour there: \f$ \sqrt{A / \pi} \f$, but at least the inscribed radius. The
+  /// contour is that in the plane across the line. If that one is not across a tube, as its radius is one and a half times as large
+  /// as its distance from the point, the radius is between those around, or, if there are none, that of the contour of the field. At a
+  /// junction it is the mean where the lines leave the ball inscribed there, at the end of a tube without border that of the neighbor.
   double radius = 0;
 
   /// the distance from the surface: the radius of the largest ball around the point that it does not cross. Borders count as

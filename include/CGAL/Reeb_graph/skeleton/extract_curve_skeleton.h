@@ -44,12 +44,15 @@ Skeleton_options choose_options(const NamedParameters& np)
   Skeleton_options options;
   options.pruning_ratio = choose_parameter(get_parameter(np, internal::pruning_ratio), options.pruning_ratio);
   options.sampling_ratio = choose_parameter(get_parameter(np, internal::sampling_ratio), options.sampling_ratio);
+  options.spacing = choose_parameter(get_parameter(np, internal::spacing), options.spacing);
   options.smooth = choose_parameter(get_parameter(np, internal::smooth), options.smooth);
   options.are_borders_ends = choose_parameter(get_parameter(np, internal::ends_at_borders), options.are_borders_ends);
   if(!(options.pruning_ratio >= 0))
     throw Parameter_error("the pruning ratio has to be at least 0");
   if(!(options.sampling_ratio >= 0.01 && options.sampling_ratio <= 100))
     throw Parameter_error("the sampling ratio has to be from 0.01 to 100");
+  if(!(options.spacing >= 0))
+    throw Parameter_error("the spacing has to be at least 0");
   if(!(options.smooth >= 0 && options.smooth <= 100))
     throw Parameter_error("the smoothness has to be from 0 to 100");
   return options;
@@ -170,7 +173,8 @@ void add_component(const Reading& reading,
 /// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. Loops are led
 /// along the surface where they would not wind around a hole, by linking numbers with curves on it. At last, lines are moved
 /// to where the sum of length by distance from the surface is least, with a price on bends; junctions nearer to each
-/// other than the surface are joined, and lines within a quarter of that from where they part. Each step is taken only if the
+/// other than the surface are joined, and lines within a quarter of that from where they part; and tips of limbs that end bluntly
+/// go to the middle of their caps. Each step is taken only if the
 /// surface does not meet what it sweeps; edges that cross a component that intersects itself stay. So no vertex is
 /// outside, no edge crosses a component that does not intersect itself, and no loop can be pulled to a point there. What
 /// remains on others, or where the numbers of the points end, is counted.
@@ -209,15 +213,23 @@ void add_component(const Reading& reading,
 ///     \cgalParamExtra{use the functions `parameters::pruning_ratio()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{sampling_ratio}
-///     \cgalParamDescription{how far the points of an arc are apart, as a share of the radius, from 0.01 to 100. A radius
-///                           below half a mean edge counts as that, or as a fiftieth of the size if that is less.}
+///     \cgalParamDescription{how far the points of an arc are apart, as a share of the radius, from 0.01 to 100: at most one and a
+///                           half times that. A radius below half a mean edge counts as that, or as a fiftieth of the size if
+///                           that is less.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.5}
 ///     \cgalParamExtra{use the functions `parameters::sampling_ratio()`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{spacing}
+///     \cgalParamDescription{how far the points of an arc are apart, in the unit of the mesh, but the last one. They are nearer
+///                           where the surface is in the way. 0 leaves that to the sampling ratio.}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///     \cgalParamExtra{use the functions `parameters::spacing()`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{smooth}
-///     \cgalParamDescription{the price of bends when lines are moved to the middle, and how far points are left out of straight
-///                           parts, from 0 to 100. 0 leaves lines at the centers of contours.}
+///     \cgalParamDescription{the price of bends when lines are moved to the middle, and how far from the line nearly straight parts
+///                           are drawn straight, from 0 to 100. 0 leaves lines at the centers of contours.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{1}
 ///     \cgalParamExtra{use the functions `parameters::smooth()`}
@@ -240,7 +252,8 @@ void add_component(const Reading& reading,
 ///
 /// \returns what is known of the skeleton.
 ///
-/// \exception Reeb_graph::Parameter_error if a ratio is out of its range
+/// \exception Reeb_graph::Parameter_error if a ratio is out of its range, or the spacing is negative, or positive but below a
+/// ten-millionth of the size of a component
 /// \exception Reeb_graph::Non_finite_point_error if a coordinate of a point is infinite or NaN
 /// \exception Reeb_graph::Non_finite_scalar_error if a value of the scalar map is infinite
 ///

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Bead_ways.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Loop_linking.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
@@ -30,19 +31,9 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 
 // The lines of a skeleton as numbers of beads, which know how far the surface is: gives them other points, or fewer ones, where
 // the surface does not meet the triangles that lines then sweep, so that no line crosses it, and no loop leaves its handle.
-class Bead_lines
+class Bead_lines : protected Bead_ways
 {
 protected:
-  struct Bead
-  {
-    Line_point point;  // with the closest point of the surface
-    double depth = 0;  // the distance from the surface; 0 at a tip
-    double pace = 0.5; // of its steps
-    bool is_settled = false, is_fixed = false;
-    std::optional<Mesh::Vertex_index> vertex; // of the surface, at an end, which stays
-
-    Surface_place place() const { return {point.point, vertex}; }
-  };
   typedef std::vector<std::size_t> Numbers; // of beads
   struct Line
   {
@@ -50,21 +41,13 @@ protected:
     std::array<double, 2> places = {}; // of its ends, on the chain
     std::size_t joined = 0;            // the node that it has become
     bool is_fixed = false, is_on_cycle = false;
+    bool is_resting = false; // needs no other points
   };
   struct End_of_line
   {
     std::size_t line;
     bool is_last;
   };
-
-  Bead make_bead(Line_point point) const
-  {
-    Bead bead;
-    point.on_surface = tree_.closest_on_wall(point.point, point.on_surface);
-    bead.depth = distance(point.point, point.on_surface);
-    bead.point = point;
-    return bead;
-  }
 
   std::size_t add_bead(const Line_point& point)
   {
@@ -77,7 +60,7 @@ protected:
              const Surface_tree& tree,
              Skeleton_lines& lines,
              double smooth)
-    : tree_(tree),
+    : Bead_ways(tree),
       smooth_(smooth),
       least_depth_(lines.least_radius())
   {
@@ -85,8 +68,7 @@ protected:
     {
       numbers_[index] = add_bead(node.point);
       Bead& bead = beads_.back();
-      if(node.kind != Line_end::JUNCTION)
-        bead.vertex = graph.vertex(index);
+      bead.vertex = node.vertex;
       if(node.kind == Line_end::TIP)
         bead.depth = 0;
     }
@@ -152,12 +134,16 @@ protected:
     }
   }
 
-  bool is_outside(std::size_t bead) const { return !beads_[bead].vertex && !tree_.is_inside(beads_[bead].point.point); }
+  bool is_outside(std::size_t bead) const
+  {
+    return !beads_[bead].is_on_surface() && !tree_.is_inside(beads_[bead].point.point);
+  }
 
   bool is_wrong(std::size_t a, std::size_t b) const
   {
     const Bead &p = beads_[a], &q = beads_[b];
-    return !is_free({a, b}) || (p.vertex && q.vertex && !tree_.is_inside(CGAL::midpoint(p.point.point, q.point.point)));
+    return !is_free({a, b})
+        || (p.is_on_surface() && q.is_on_surface() && !tree_.is_inside(CGAL::midpoint(p.point.point, q.point.point)));
   }
 
   // Lines that have come inside are as others, and one with what they go on to.
@@ -173,12 +159,14 @@ protected:
           const std::size_t a = line.beads[k - 1], b = line.beads[k];
           is_wrong_still = is_outside(a) || is_outside(b) || is_wrong(a, b);
         }
+        line.is_resting = line.is_resting && line.is_fixed == is_wrong_still;
         line.is_fixed = is_wrong_still;
         if(line.is_fixed || i + 1 == pieces.size() || lines_[pieces[i + 1]].is_fixed)
           continue;
         Line& next = lines_[pieces[i + 1]];
         next.beads.insert(next.beads.begin(), line.beads.begin(), line.beads.end() - 1);
         next.places[0] = line.places[0];
+        next.is_resting = false;
         line.beads.clear();
         pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
       }
@@ -209,33 +197,13 @@ protected:
     return end.is_last ? beads[beads.size() - 1 - i] : beads[i];
   }
 
-  // Whether the surface does not meet a triangle of two beads and a place, other than in an end. Balls around beads are free.
-  bool is_free(const Bead& a, const Bead& b, const Surface_place& c) const
-  {
-    if(is_in_ball(b, a, c) || is_in_ball(a, b, c))
-      return true;
-    if(a.vertex || b.vertex || c.vertex) // no part of a loop
-      return !tree_.is_crossed(a.place(), c) && !tree_.is_crossed(b.place(), c);
-    return !tree_.is_met_by_triangle(a.point.point, b.point.point, c.point);
-  }
-
-  // Openings do not count in depths.
-  bool is_in_ball(const Bead& center, const Bead& other, const Surface_place& third) const
-  {
-    const double radius = (1 - 1e-6) * center.depth;
-    const Point& p = center.point.point;
-    return !tree_.has_openings() && distance(p, other.point.point) < radius && distance(p, third.point) < radius;
-  }
-
   // Whether the surface does not meet any edge of a line.
+  using Bead_ways::is_free;
   bool is_free(const Numbers& line) const
   {
     for(std::size_t i = 1; i != line.size(); ++i)
-    {
-      const Bead &a = beads_[line[i - 1]], &b = beads_[line[i]];
-      if(!is_in_ball(a, a, b.place()) && !is_in_ball(b, b, a.place()) && tree_.is_crossed(a.place(), b.place()))
+      if(!is_free(beads_[line[i - 1]], beads_[line[i]]))
         return false;
-    }
     return true;
   }
 
@@ -361,10 +329,12 @@ protected:
     return make_bead(point);
   }
 
-  // Leaves points out that are near to a straight line (D. Douglas and T. Peucker 1973).
+  // Leaves points out that are near to a straight line (D. Douglas and T. Peucker 1973), among so many at a time, as a way is
+  // tested by the fan of triangles that it leaves out.
   void decimate(Numbers& beads) const
   {
-    if(beads.empty() || (beads.front() == beads.back() && beads.size() < 7))
+    const bool is_ring = !beads.empty() && beads.front() == beads.back();
+    if(beads.empty() || (is_ring && beads.size() < 7))
       return;
     const Numbers line = std::exchange(beads, {beads.front()});
     const auto add = [&](const auto& self, std::size_t from, std::size_t to) -> void {
@@ -383,13 +353,9 @@ protected:
       self(self, from, farthest);
       self(self, farthest, to);
     };
-    const std::size_t last = line.size() - 1, third = line.front() == line.back() ? last / 3 : last;
-    add(add, 0, third);
-    if(third != last)
-    {
-      add(add, third, 2 * third);
-      add(add, 2 * third, last);
-    }
+    const std::size_t last = line.size() - 1, at_once = is_ring ? (std::min)(last / 3, most_at_once) : most_at_once;
+    for(std::size_t from = 0; from < last; from += at_once)
+      add(add, from, (std::min)(from + at_once, last));
   }
 
   // How far a bead is from a chord, as a share of what may be.
@@ -408,7 +374,7 @@ protected:
     return p + (square > 0 ? std::clamp(way * chord / square, 0., 1.) : 0) * chord;
   }
 
-  void write(Skeleton_lines& lines, double sampling_ratio, Index next)
+  void write(Skeleton_lines& lines, Index next)
   {
     std::map<std::size_t, Index> nodes;
     for(const auto& [index, number] : numbers_)
@@ -418,7 +384,12 @@ protected:
       if(nodes.count(number) == 0 && !beads_[number].is_fixed)
         nodes[number] = next++;
     for(const auto& [number, index] : nodes)
-      lines.nodes()[index].point = beads_[number].point;
+    {
+      Skeleton_lines::Node& node = lines.nodes()[index];
+      node.point = beads_[number].point;
+      node.vertex = beads_[number].vertex;
+      node.face = beads_[number].face;
+    }
     for(std::size_t i = pieces_.empty() ? 0 : pieces_.back().back() + 1; i != lines_.size(); ++i)
       pieces_.push_back({i});
     lines.lines().resize(pieces_.size());
@@ -434,62 +405,25 @@ protected:
     {
       Numbers beads;
       for(const std::size_t piece : pieces_[i])
-        append(lines_[piece], sampling_ratio, beads);
+        append(lines_[piece], beads);
       lines.ends()[i] = {node_of(beads.front()), node_of(beads.back())};
       Skeleton_lines::Line& line = lines.lines()[i];
-      const Skeleton_lines::Line before = std::exchange(line, {});
+      line.clear();
       for(std::size_t k = 1; k + 1 < beads.size(); ++k)
-      {
         line.push_back(beads_[beads[k]].point);
-        if(!before.empty())
-          line.back().radius = radius_at(before, line.back().place);
-      }
     }
   }
 
-  void append(Line& line, double sampling_ratio, Numbers& beads)
+  void append(Line& line, Numbers& beads)
   {
     if(line.beads.empty())
       line.beads = {line.joined, line.joined};
-    else if(!line.is_fixed)
-      refine(line, sampling_ratio);
     beads.insert(beads.end(), line.beads.begin() + (beads.empty() ? 0 : 1), line.beads.end());
   }
 
-  static double radius_at(const Skeleton_lines::Line& line, double place)
-  {
-    const auto after = std::find_if(line.begin(), line.end(), [&](const Line_point& p) { return p.place > place; });
-    if(after == line.begin() || after == line.end())
-      return (after == line.end() ? line.back() : line.front()).radius;
-    const Line_point &a = *(after - 1), &b = *after;
-    const double t = (place - a.place) / (b.place - a.place);
-    return (1 - t) * a.radius + t * b.radius;
-  }
-
-  // Puts further points between, as far apart as they are to be, but on the way to a tip.
-  void refine(Line& line, double sampling_ratio)
-  {
-    const Numbers beads = std::exchange(line.beads, {line.beads.front()});
-    for(std::size_t i = 0; i + 1 < beads.size(); ++i)
-    {
-      const Bead a = beads_[beads[i]], b = beads_[beads[i + 1]];
-      const double step = sampling_ratio * (std::max)((a.point.radius + b.point.radius) / 2, least_depth_);
-      const bool is_at_tip = !(a.depth > 0 && b.depth > 0);
-      const auto pieces = static_cast<std::size_t>(std::ceil(distance(a.point.point, b.point.point) / step / 1.5));
-      Numbers refined = {beads[i]};
-      for(std::size_t k = 1; k < pieces && !is_at_tip; ++k)
-      {
-        refined.push_back(beads_.size());
-        beads_.push_back(between(beads, i, static_cast<double>(k) / static_cast<double>(pieces), line.places));
-      }
-      refined.push_back(beads[i + 1]);
-      line.beads.insert(line.beads.end(), is_free(refined) ? refined.begin() + 1 : refined.end() - 1, refined.end());
-    }
-  }
-
+  static constexpr std::size_t most_at_once = 32;
   static constexpr double tolerance = 0.055; // of the distance from the surface, in straight parts
 
-  const Surface_tree& tree_;
   const double smooth_, least_depth_;
   std::vector<Bead> beads_; // those that have been left out, too
   std::vector<Line> lines_;

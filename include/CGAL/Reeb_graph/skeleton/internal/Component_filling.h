@@ -51,6 +51,12 @@ struct Contour_shape
   double radius() const { return std::sqrt(skeleton::length(area) / pi); }
 };
 
+// The radius of the circle with the area that is seen along a direction of length 1, or with half of the area, if that is more.
+inline double radius_along(const Vector& area, const Vector& direction)
+{
+  return std::sqrt((std::max)(std::abs(area * direction), length(area) / 2) / pi);
+}
+
 // A polygon whose vector area is below this share of that of a circle as long is a fold: its disc has no centroid.
 inline constexpr double least_share_of_circle = 0.15;
 
@@ -416,6 +422,7 @@ struct Skeleton_options
 {
   double pruning_ratio = 0.5;
   double sampling_ratio = 0.5;
+  double spacing = 0; // of the points, if they are to be at equal steps
   double smooth = 1;
   bool are_borders_ends = true;
 };

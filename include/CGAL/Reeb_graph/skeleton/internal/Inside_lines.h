@@ -58,8 +58,6 @@ public:
       refine(chain);
     }
     let_loops_wind(is_self_intersecting);
-    for(Index chain = 0; chain != lines.lines().size(); ++chain)
-      thin(chain);
   }
 
   // Measures how far the lines are from the surface, and counts what is wrong with them, as they are now.
@@ -68,19 +66,12 @@ public:
     for(auto& [index, node] : lines_.nodes())
       if(node.kind != Line_end::TIP)
         measure(node.point, node.kind == Line_end::JUNCTION);
-    for(Index line = 0; line != lines_.lines().size(); ++line)
-    {
-      auto& points = lines_.lines()[line];
-      for(Line_point& point : points)
+    for(Skeleton_lines::Line& line : lines_.lines())
+      for(Line_point& point : line)
         measure(point, true);
-      for(const bool is_last : {false, true})
-        if(auto& end = lines_.nodes().at(lines_.ends()[line][is_last ? 1 : 0]);
-           end.kind == Line_end::TIP && !points.empty())
-          end.point.radius = (is_last ? points.back() : points.front()).radius;
-    }
     for(Index line = 0; line != lines_.lines().size(); ++line)
       for(std::size_t i = 0; i <= lines_.lines()[line].size() && !lines_.has_gone(line); ++i)
-        number_of_crossings_ += tree_.is_crossed(surface_place(line, i), surface_place(line, i + 1)) ? 1 : 0;
+        number_of_crossings_ += tree_.is_crossed(lines_.place(line, i), lines_.place(line, i + 1)) ? 1 : 0;
     if(loops_.cycles().empty())
       return;
     std::vector<std::array<Index, 2>> ends;
@@ -130,24 +121,10 @@ private:
     p.radius = (std::max)(p.radius, p.inscribed_radius); // A contour that folds has less area than a flat one.
   }
 
-  // A point of a line, from 0 for the node where it begins.
-  Surface_place surface_place(Index line, std::size_t i) const
-  {
-    const auto& points = lines_.lines()[line];
-    if(i != 0 && i <= points.size())
-      return {points[i - 1].point, std::nullopt};
-    const Index node = lines_.ends()[line][i == 0 ? 0 : 1];
-    const Skeleton_lines::Node& end = lines_.nodes().at(node);
-    if(end.kind == Line_end::JUNCTION)
-      return {end.point.point, std::nullopt};
-    return {end.point.point, graph_.vertex(node)};
-  }
-
   Place place_of_end(Index chain, bool is_last) const
   {
-    const Index node = lines_.ends()[chain][is_last ? 1 : 0];
-    Place place = {lines_.nodes().at(node).point,
-                   surface_place(chain, is_last ? lines_.lines()[chain].size() + 1 : 0).vertex};
+    const Skeleton_lines::Node& node = lines_.nodes().at(lines_.ends()[chain][is_last ? 1 : 0]);
+    Place place = {node.point, node.vertex};
     place.point.place = is_last ? chains_.chains()[chain].length : 0;
     return place;
   }
@@ -234,7 +211,7 @@ private:
   {
     std::vector<Point> result;
     for(std::size_t i = 0; i != lines_.lines()[line].size() + 2; ++i)
-      result.push_back(surface_place(line, i).point);
+      result.push_back(lines_.place(line, i).point);
     return result;
   }
 
@@ -270,45 +247,6 @@ private:
       last = next;
     }
     line = std::move(result);
-  }
-
-  // Leaves points out that are much nearer to one neighbor than to the other one, or than the radius asks for, where nothing is
-  // in the way, and all that are where a neighbor is.
-  void thin(Index chain)
-  {
-    std::vector<Place> kept = {place_of_end(chain, false)};
-    std::vector<Line_point>& line = lines_.lines()[chain];
-    for(const Line_point& point : line)
-      add_thinned(chain, {point, std::nullopt}, kept);
-    add_thinned(chain, place_of_end(chain, true), kept);
-    line.clear();
-    for(std::size_t i = 1; i + 1 < kept.size(); ++i)
-      line.push_back(kept[i].point);
-  }
-
-  void add_thinned(Index chain, const Place& next, std::vector<Place>& kept) const
-  {
-    while(kept.size() > 1)
-    {
-      const Place &before = kept[kept.size() - 2], &last = kept.back();
-      const double from = distance(before.point.point, last.point.point),
-                   to = distance(last.point.point, next.point.point);
-      const bool is_same = from == 0 || to == 0;
-      // a thin branch begins far from the center of its trunk
-      const double far = (std::min)((std::max)(from, to), 4 * lines_.step(last.point.radius));
-      if(!is_same && (std::min)(from, to) >= 0.1 * far)
-        break;
-      if(!is_same && is_in_the_way(chain, before, last, next))
-        break;
-      kept.pop_back();
-    }
-    kept.push_back(next);
-  }
-
-  bool is_in_the_way(Index chain, const Place& a, const Place& b, const Place& c) const
-  {
-    return tree_.is_crossed(a.surface_place(), c.surface_place())
-        || (loops_.is_on_cycle(chain) && tree_.is_met_by_triangle(a.point.point, b.point.point, c.point.point));
   }
 
   // Adds what is needed between two points: centers of further contours, or a way beneath the surface.

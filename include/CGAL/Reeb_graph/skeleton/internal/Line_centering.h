@@ -12,11 +12,13 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/skeleton/internal/Bead_lines.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Blunt_end.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal::skeleton {
@@ -30,55 +32,107 @@ public:
                  const Graph_chains& chains,
                  const Surface_tree& tree,
                  Skeleton_lines& lines,
-                 double smooth,
-                 double sampling_ratio)
+                 double smooth)
     : Bead_lines(graph, chains, tree, lines, smooth)
   {
     run();
-    write(lines, sampling_ratio, graph.number_of_nodes());
+    write(lines, graph.number_of_nodes());
   }
 
 private:
+  // Every few rounds, lines get other points, and those that run together are joined, until all of them rest.
   void run()
   {
-    // Most is gained in the first rounds: those of thousands of points, as of neurons, do without the others.
-    const int number_of_rounds = beads_.size() < 5000 ? 40 : 7, rounds_between = 5, last_rounds = 7;
-    for(int round = 0; round != number_of_rounds; ++round)
+    bool is_any_moving = true;
+    for(int turn = 0; turn != most_turns && is_any_moving; ++turn)
     {
-      if(round % rounds_between == 0 && round + last_rounds < number_of_rounds)
+      rearrange();
+      for(int round = 0; round != rounds_between; ++round)
+        move_all();
+      is_any_moving = false;
+      for(Line& line : lines_)
       {
-        let_go();
-        if(2 * round >= number_of_rounds)
-          join_junctions();
-        for(Line& line : lines_)
-          if(!line.is_fixed)
-          {
-            resample(line);
-            leave_out_folds_and_tops(line.beads);
-          }
-        find_ends();
-        join_lines();
+        line.is_resting = std::all_of(line.beads.begin(), line.beads.end(),
+                                      [&](std::size_t bead) { return beads_[bead].way <= way_of_rest; });
+        is_any_moving = is_any_moving || !(line.is_fixed || line.is_resting);
       }
-      for(const auto& [node, ends] : ends_of_nodes_)
-        if(!beads_[node].vertex && !is_outside(node) && !beads_[node].is_settled)
-          move_node(node);
-      for(const Line& line : lines_)
-        for(std::size_t i = 1; i + 1 < line.beads.size() && !line.is_fixed; ++i)
-          if(!beads_[line.beads[i]].is_settled)
-            move_bead(line.beads, i);
     }
     join_junctions();
     for(Line& line : lines_)
     {
       if(line.is_fixed)
         continue;
+      for(const bool is_last : {false, true})
+        move_tip(line.beads, is_last);
       leave_out_folds_and_tops(line.beads);
-      for(int round = 0; round < number_of_rounds / 4; ++round)
+      for(int round = 0; round != 2 * rounds_between; ++round)
         straighten(line.beads);
       decimate(line.beads);
       for(const bool is_last : {false, true})
         go_on_before_tip(line, is_last);
     }
+  }
+
+  void rearrange()
+  {
+    let_go();
+    for(Line& line : lines_)
+      if(!line.is_resting && !line.is_fixed)
+      {
+        resample(line);
+        leave_out_folds_and_tops(line.beads);
+      }
+    find_ends();
+    join_lines();
+    for(Bead& bead : beads_)
+      bead.way = 0;
+  }
+
+  void move_all()
+  {
+    for(const auto& [node, ends] : ends_of_nodes_)
+      if(!beads_[node].is_on_surface() && !is_outside(node) && !beads_[node].is_settled)
+        move_node(node);
+    for(const Line& line : lines_)
+      for(std::size_t i = 1; i + 1 < line.beads.size() && !line.is_fixed && !line.is_resting; ++i)
+        if(!beads_[line.beads[i]].is_settled)
+          move_bead(line.beads, i);
+  }
+
+  // Moves the tip of a limb that ends bluntly to the middle of its cap, straight on from where the limb is as wide as that.
+  void move_tip(Numbers& beads, bool is_last)
+  {
+    if(beads.size() < 3 || beads_[is_last ? beads.back() : beads.front()].depth > 0)
+      return;
+    Numbers line = beads; // from the tip
+    if(is_last)
+      std::reverse(line.begin(), line.end());
+    Bead tip = beads_[line.front()];
+    std::size_t i = 1;
+    while(i + 2 < line.size() && !(distance(beads_[line[i]].point.point, tip.point.point) > 2 * beads_[line[i]].depth))
+      ++i;
+    const Bead& last = beads_[line[i]];
+    const Vector along = last.point.point - beads_[line[i + 1]].point.point;
+    if(!(length(along) > 0))
+      return;
+    const Blunt_end end(tree_, last.point.point, along / length(along), last.depth);
+    if(!end.middle())
+      return;
+    tip.point.point = end.middle()->point;
+    tip.vertex = end.middle()->vertex;
+    tip.face = end.middle()->face;
+    std::size_t first = i;
+    while(first > 1 && distance(beads_[line[first - 1]].point.point, tip.point.point) > end.radius())
+      --first;
+    while(first <= i && !is_free(beads_[line[first]], tip))
+      ++first;
+    if(first > i)
+      return;
+    beads_[line.front()] = tip;
+    line.erase(line.begin() + 1, line.begin() + static_cast<std::ptrdiff_t>(first));
+    if(is_last)
+      std::reverse(line.begin(), line.end());
+    beads = line;
   }
 
   // Puts points nearer to the straight line between their neighbors where that is not nearer to the surface: there is room in
@@ -99,57 +153,61 @@ private:
     }
   }
 
+  // Makes two junctions one that are nearer to each other than the surface is: the lines of one go on to the other.
   void join_junctions()
   {
-    for(find_ends(); join_two_junctions();)
-      find_ends();
-  }
-
-  // Makes two junctions one that are nearer to each other than the surface is: the lines of one go on to the other.
-  bool join_two_junctions()
-  {
-    for(Line& line : lines_)
+    find_ends();
+    for(bool is_any_joined = true; is_any_joined;)
     {
-      const Numbers path = line.beads;
-      if(path.empty() || path.front() == path.back())
-        continue;
-      const Bead &a = beads_[path.front()], &b = beads_[path.back()];
-      if(a.vertex || b.vertex || a.is_fixed || b.is_fixed
-         || !(distance(a.point.point, b.point.point) < (std::min)(a.depth, b.depth)))
-        continue;
-      const bool is_from_front = a.depth < b.depth;
-      line.beads.clear();
-      line.joined = is_from_front ? path.back() : path.front();
-      joined_[is_from_front ? path.front() : path.back()] = line.joined;
-      extend(path, is_from_front);
-      return true;
+      is_any_joined = false;
+      for(std::size_t line = 0; line != lines_.size(); ++line)
+        is_any_joined = join_ends(lines_[line]) || is_any_joined;
     }
-    return false;
   }
 
-  // Leads all lines that end at the first bead of a path, or at the last one, along it to the other end. Each gets beads of its
-  // own, at the places where it ended.
-  void extend(Numbers path, bool is_from_front)
+  bool join_ends(Line& line)
   {
-    if(is_from_front)
-      std::reverse(path.begin(), path.end()); // now to the node that goes
-    for(Line& line : lines_)
-      for(const bool is_last : {false, true})
+    if(line.beads.empty() || line.beads.front() == line.beads.back())
+      return false;
+    const Bead &a = beads_[line.beads.front()], &b = beads_[line.beads.back()];
+    if(a.is_on_surface() || b.is_on_surface() || a.is_fixed || b.is_fixed
+       || !(distance(a.point.point, b.point.point) < (std::min)(a.depth, b.depth)))
+      return false;
+    Numbers path = std::exchange(line.beads, {});
+    if(a.depth < b.depth)
+      std::reverse(path.begin(), path.end()); // to the node that goes
+    line.joined = joined_[path.back()] = path.front();
+    extend(path);
+    return true;
+  }
+
+  // Leads all lines that end at the last bead of a path along it to the first one. Each gets beads of its own, at the places
+  // where it ended.
+  void extend(const Numbers& path)
+  {
+    std::vector<End_of_line>& kept = ends_of_nodes_[path.front()];
+    kept.erase(
+      std::remove_if(kept.begin(), kept.end(), [&](const End_of_line& end) { return lines_[end.line].beads.empty(); }),
+      kept.end());
+    for(const End_of_line& end : std::exchange(ends_of_nodes_[path.back()], {}))
+    {
+      Line& line = lines_[end.line];
+      if(line.beads.empty())
+        continue;
+      Numbers added = {path.front()};
+      for(std::size_t i = 1; i != path.size(); ++i)
       {
-        if(line.beads.empty() || (is_last ? line.beads.back() : line.beads.front()) != path.back())
-          continue;
-        Numbers added = {path.front()};
-        for(std::size_t i = 1; i != path.size(); ++i)
-        {
-          added.push_back(beads_.size());
-          beads_.push_back(Bead(beads_[path[i]]));
-          beads_.back().point.place = line.places[is_last ? 1 : 0];
-        }
-        if(is_last)
-          std::reverse(added.begin(), added.end());
-        line.beads.erase(is_last ? line.beads.end() - 1 : line.beads.begin());
-        line.beads.insert(is_last ? line.beads.end() : line.beads.begin(), added.begin(), added.end());
+        added.push_back(beads_.size());
+        beads_.push_back(Bead(beads_[path[i]]));
+        beads_.back().point.place = line.places[end.is_last ? 1 : 0];
       }
+      if(end.is_last)
+        std::reverse(added.begin(), added.end());
+      line.beads.erase(end.is_last ? line.beads.end() - 1 : line.beads.begin());
+      line.beads.insert(end.is_last ? line.beads.end() : line.beads.begin(), added.begin(), added.end());
+      kept.push_back(end);
+    }
+    ends_of_nodes_.erase(path.back());
   }
 
   // Joins lines from where they part at a junction as long as they are within a quarter of the distance from the surface.
@@ -160,17 +218,14 @@ private:
       nodes.push_back(node);
     for(std::size_t i = 0; i != nodes.size(); ++i)
       for(int turn = 0; turn != 20 && join_lines_at(nodes[i]); ++turn)
-      {
-        find_ends();
         if(ends_of_nodes_.rbegin()->first > nodes.back())
           nodes.push_back(ends_of_nodes_.rbegin()->first);
-      }
   }
 
   bool join_lines_at(std::size_t node)
   {
     const auto ends = ends_of_nodes_[node];
-    if(ends.size() < 3 || beads_[node].vertex || beads_[node].is_fixed)
+    if(ends.size() < 3 || beads_[node].is_on_surface() || beads_[node].is_fixed)
       return false;
     for(std::size_t i = 0; i != ends.size(); ++i)
       for(std::size_t j = 0; j != i; ++j)
@@ -210,15 +265,17 @@ private:
     if(!can_part(a, p) || !can_part(b, q))
       return false;
     std::size_t parting = node;
-    const auto ends = ends_of_nodes_.at(node);
+    const auto is_of = [](const End_of_line& e, const End_of_line& f) {
+      return e.line == f.line && e.is_last == f.is_last;
+    };
+    std::vector<End_of_line>& ends = ends_of_nodes_.at(node);
+    const auto others =
+      std::stable_partition(ends.begin(), ends.end(), [&](const auto& end) { return is_of(end, a) || is_of(end, b); });
     if(ends.size() == 3)
     {
-      const auto is_of = [](const End_of_line& e, const End_of_line& f) {
-        return e.line == f.line && e.is_last == f.is_last;
-      };
-      const End_of_line& rest =
-        *std::find_if(ends.begin(), ends.end(), [&](const auto& end) { return !is_of(end, a) && !is_of(end, b); });
+      const End_of_line& rest = *others;
       Line& line = lines_[rest.line];
+      line.is_resting = false;
       beads_.push_back(beads_[node]);
       beads_.back().point.place = line.places[rest.is_last ? 1 : 0];
       line.beads.insert(rest.is_last ? line.beads.end() - 1 : line.beads.begin() + 1, beads_.size() - 1);
@@ -227,10 +284,14 @@ private:
     {
       parting = beads_.size();
       beads_.push_back(moved);
+      ends.erase(ends.begin(), others);
+      ends.push_back({lines_.size(), false});
+      ends_of_nodes_[parting] = {a, b, {lines_.size(), true}};
       lines_.push_back({{node, parting}});
     }
     for(const End_of_line& end : {a, b})
     {
+      lines_[end.line].is_resting = false;
       Numbers& beads = lines_[end.line].beads;
       beads.erase(end.is_last ? beads.end() - 2 : beads.begin() + 1);
       (end.is_last ? beads.back() : beads.front()) = parting;
@@ -238,6 +299,7 @@ private:
     beads_[parting].point.point = moved.point.point;
     beads_[parting].point.on_surface = moved.point.on_surface;
     beads_[parting].depth = moved.depth;
+    beads_[parting].is_settled = false;
     return true;
   }
 
@@ -362,6 +424,7 @@ private:
       return;
     }
     bead.is_settled = false;
+    bead.way += length(step) / depth;
     bead.point.point = q;
     bead.point.on_surface = closest;
     bead.depth = new_depth;
@@ -374,6 +437,8 @@ private:
       }
   }
 
+  static constexpr int most_turns = 8, rounds_between = 5;
+  static constexpr double way_of_rest = 0.2;   // by depths, in a turn
   static constexpr double least_share = 0.003; // of the depth, in a step
   static constexpr double bending = 0.1;
 };

@@ -58,8 +58,12 @@ public:
   {
     Line_end kind = Line_end::JUNCTION;
     Line_point point;
-    double rim = 0;   // how far the contours of a chain from a border pass that
-    double reach = 0; // how far contours are not those of tubes, at a junction
+    std::optional<Mesh::Vertex_index> vertex = std::nullopt; // of the filled surface, where the point is on it,
+    std::optional<Mesh::Face_index> face = std::nullopt;     // or the face
+    double rim = 0;                                          // how far the contours of a chain from a border pass that
+    double reach = 0;                                        // how far contours are not those of tubes, at a junction
+
+    Surface_place place() const { return {point.point, vertex, face}; }
   };
   typedef std::vector<Line_point> Line; // without the ends
 
@@ -122,6 +126,15 @@ public:
   void join(Index node, Index other) { joined_[node] = other; }
   Index node_at(Index node) const { return joined_.count(node) != 0 ? joined_.at(node) : node; }
   bool has_gone(Index chain) const { return lines_[chain].empty() && line_ends_[chain][0] == line_ends_[chain][1]; }
+
+  // A point of a line, from 0 for the node where it begins.
+  Surface_place place(Index line, std::size_t i) const
+  {
+    const Line& points = lines_[line];
+    if(i != 0 && i <= points.size())
+      return {points[i - 1].point};
+    return nodes_.at(line_ends_[line][i == 0 ? 0 : 1]).place();
+  }
 
   double least_radius() const { return least_radius_; }
 
@@ -206,6 +219,8 @@ private:
         result.rim = (std::max)(result.rim, std::abs(graph_.value(u) - graph_.value(v)));
     }
     result.point.point = result.point.on_surface = graph_.mesh().point(v);
+    if(result.kind != Line_end::JUNCTION)
+      result.vertex = v;
     return result;
   }
 
@@ -308,11 +323,8 @@ private:
     for(std::size_t i = 0; i != line.size(); ++i)
     {
       const Vector along = line[(std::min)(i + 1, line.size() - 1)].point - line[i == 0 ? 0 : i - 1].point;
-      const double size = length(along), area = length(line[i].area);
-      if(!(size > 0) || !(area > 0))
-        continue;
-      const double seen = std::abs(line[i].area * along) / size;
-      line[i].radius = std::sqrt((std::max)(seen, area / 2) / pi);
+      if(const double size = length(along); size > 0)
+        line[i].radius = radius_along(line[i].area, along / size);
     }
   }
 

@@ -39,11 +39,14 @@
 
 namespace CGAL::Reeb_graph::internal::skeleton {
 
-// A point that is not outside of a surface, and the vertex that it is, if any.
+// A point that is not outside of a surface, and the vertex that it is, or the face in whose middle it lies, if any.
 struct Surface_place
 {
   Point point;
-  std::optional<Mesh::Vertex_index> vertex;
+  std::optional<Mesh::Vertex_index> vertex = std::nullopt;
+  std::optional<Mesh::Face_index> face = std::nullopt;
+
+  bool is_on_surface() const { return vertex || face; }
 };
 
 // A ball inside of a surface.
@@ -84,6 +87,26 @@ public:
     }
     const Bbox_3 box = CGAL::bbox_3(mesh_.points().begin(), mesh_.points().end());
     size_ = distance({box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()});
+    for(const int axis : {1, 2})
+      if(box.max(axis) - box.min(axis) < box.max(axis_) - box.min(axis_))
+        axis_ = axis;
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+
+  std::array<Point, 3> corners(Mesh::Face_index f) const
+  {
+    const auto h = mesh_.halfedge(f);
+    return {mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), mesh_.point(mesh_.target(mesh_.next(h)))};
+  }
+
+  // Of length 1, or the null vector if the face has no area.
+  Vector inward_normal(Mesh::Face_index f) const
+  {
+    const auto [a, b, c] = corners(f);
+    const Vector normal = cross_product(b - a, c - a);
+    const double size = length(normal);
+    return size > 0 ? (is_inward_ ? 1 : -1) / size * normal : Vector(NULL_VECTOR);
   }
 
   // Whether the surface has any area.
@@ -92,8 +115,9 @@ public:
   // Whether distances are those from less than the whole surface.
   bool has_openings() const { return !walls_.empty(); }
 
-  // Whether a line from a point in the direction of the first axis crosses the surface an odd number of times. The line is
-  // moved by less than any number, so that it passes no edge: exact signs decide for every surface and every point.
+  // Whether a line from a point in the direction of an axis, that along which the surface is least long, crosses the surface an
+  // odd number of times. The line is moved by less than any number, so that it passes no edge: exact signs decide for every
+  // surface and every point.
   bool is_inside(const Point& p) const
   {
     Crossings_of_line crossings(*this);
@@ -119,13 +143,20 @@ public:
     return walls_.empty() ? tree_.closest_point(p, hint) : walls_.closest_point(p);
   }
 
-  // Whether a segment meets the surface, other than in a vertex that is its end, by exact predicates.
+  // The point of the surface that is closest to a point, and its face. The surface has area.
+  std::pair<Point, Mesh::Face_index> closest_place(const Point& p) const
+  {
+    const Mesh::Vertex_index any = *mesh_.vertices().begin();
+    return tree_.closest_point_and_primitive(p, {mesh_.point(any), mesh_.face(mesh_.halfedge(any))});
+  }
+
+  // Whether a segment meets the surface, other than in an end that is on it, by exact predicates.
   bool is_crossed(const Surface_place& from, const Surface_place& to) const
   {
     if(from.point == to.point)
       return false;
     const Kernel::Segment_3 segment(from.point, to.point);
-    if(!from.vertex && !to.vertex)
+    if(!from.is_on_surface() && !to.is_on_surface())
       return tree_.do_intersect(segment);
     bool result = false;
     const auto add = [&](Mesh::Face_index f) { result = result || !is_met_in_end(f, from, to); };
@@ -272,6 +303,24 @@ public:
     return largest;
   }
 
+  // The place where a ray from inside meets the surface first, and the face there; none at an edge.
+  std::optional<std::pair<Point, Mesh::Face_index>> first_seen(const Point& origin, const Vector& ray) const
+  {
+    const double size = length(ray);
+    if(!(size > 0))
+      return std::nullopt;
+    const Vector direction = ray / size;
+    std::vector<std::pair<double, Mesh::Face_index>> met;
+    const auto add = [&](Mesh::Face_index f) { met.push_back({depth_of(f, origin, direction), f}); };
+    tree_.all_intersected_primitives(Kernel::Ray_3(origin, direction),
+                                     boost::make_function_output_iterator(std::cref(add)));
+    std::sort(met.begin(), met.end());
+    if(met.empty() || !std::isfinite(met.back().first) || !(met.front().first > 0)
+       || (met.size() > 1 && !(met[1].first - met[0].first > 1e-9 * size)))
+      return std::nullopt;
+    return std::make_pair(origin + met.front().first * direction, met.front().second);
+  }
+
   // Whether the surface meets a triangle.
   bool is_met_by_triangle(const Point& a, const Point& b, const Point& c) const
   {
@@ -307,8 +356,9 @@ private:
     bool do_intersect(const Point& p, const Node& node) const
     {
       const Bbox_3 box = node.bbox();
-      return p.x() <= box.xmax() && box.ymin() <= p.y() && p.y() <= box.ymax() && box.zmin() <= p.z()
-          && p.z() <= box.zmax();
+      const int u = (surface_.axis_ + 1) % 3, v = (surface_.axis_ + 2) % 3;
+      return p[surface_.axis_] <= box.max(surface_.axis_) && box.min(u) <= p[u] && p[u] <= box.max(u)
+          && box.min(v) <= p[v] && p[v] <= box.max(v);
     }
 
     void intersection(const Point& p, const Primitive& primitive)
@@ -325,18 +375,19 @@ private:
     }
 
   private:
-    static Kernel::Point_2 seen(const Point& p) { return {p.y(), p.z()}; }
+    Kernel::Point_2 seen(const Point& p) const { return {p[(surface_.axis_ + 1) % 3], p[(surface_.axis_ + 2) % 3]}; }
 
     // Whether the line meets a face: each edge that it passes is on the same side of it for both of its faces.
-    static bool is_met(const std::array<Point, 3>& corners, const Point& p)
+    bool is_met(const std::array<Point, 3>& corners, const Point& p) const
     {
+      const int v = (surface_.axis_ + 2) % 3;
       bool result = false;
       for(std::size_t i = 0; i != 3; ++i)
       {
         const Point *low = &corners[i], *high = &corners[(i + 1) % 3];
-        if((low->z() > p.z()) == (high->z() > p.z()))
+        if((low->cartesian(v) > p[v]) == (high->cartesian(v) > p[v]))
           continue;
-        if(low->z() > p.z())
+        if(low->cartesian(v) > p[v])
           std::swap(low, high);
         result ^= orientation(seen(*low), seen(*high), seen(p)) == LEFT_TURN;
       }
@@ -363,7 +414,9 @@ private:
 
   bool is_met_in_end(Mesh::Face_index f, const Surface_place& from, const Surface_place& to) const
   {
-    const auto has = [&](const Surface_place& place) { return place.vertex && has_corner(f, *place.vertex); };
+    const auto has = [&](const Surface_place& place) {
+      return place.face == f || (place.vertex && has_corner(f, *place.vertex));
+    };
     if(has(from) == has(to))
       return false;
     const auto [a, b, c] = corners(f);
@@ -377,12 +430,6 @@ private:
         || component.is_apex(mesh_.target(mesh_.next(h)));
   }
 
-  std::array<Point, 3> corners(Mesh::Face_index f) const
-  {
-    const auto h = mesh_.halfedge(f);
-    return {mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), mesh_.point(mesh_.target(mesh_.next(h)))};
-  }
-
   Point center(Mesh::Face_index f) const
   {
     const auto [a, b, c] = corners(f);
@@ -393,15 +440,6 @@ private:
   {
     const auto [a, b, c] = corners(f);
     return length(cross_product(b - a, c - a)) / 2;
-  }
-
-  // Of length 1, or the null vector if the face has no area.
-  Vector inward_normal(Mesh::Face_index f) const
-  {
-    const auto [a, b, c] = corners(f);
-    const Vector normal = cross_product(b - a, c - a);
-    const double size = length(normal);
-    return size > 0 ? (is_inward_ ? 1 : -1) / size * normal : Vector(NULL_VECTOR);
   }
 
   // How far along a line of unit direction the plane of a face is.
@@ -488,8 +526,7 @@ private:
   // a corner, behind other faces there: then another one that is near, or any one.
   std::pair<Point, Mesh::Face_index> seen_foot(const Point& p) const
   {
-    const Mesh::Vertex_index any = *mesh_.vertices().begin();
-    const auto closest = tree_.closest_point_and_primitive(p, {mesh_.point(any), mesh_.face(mesh_.halfedge(any))});
+    const auto closest = closest_place(p);
     std::vector<Vector> rays;
     for(double t = 0.5; t > 1e-3; t /= 2)
       rays.push_back(closest.first + t * (center(closest.second) - closest.first) - p);
@@ -499,24 +536,6 @@ private:
       if(const auto seen = first_seen(p, ray))
         return *seen;
     return closest;
-  }
-
-  // The place where a ray from inside meets the surface first, and the face there; none at an edge.
-  std::optional<std::pair<Point, Mesh::Face_index>> first_seen(const Point& origin, const Vector& ray) const
-  {
-    const double size = length(ray);
-    if(!(size > 0))
-      return std::nullopt;
-    const Vector direction = ray / size;
-    std::vector<std::pair<double, Mesh::Face_index>> met;
-    const auto add = [&](Mesh::Face_index f) { met.push_back({depth_of(f, origin, direction), f}); };
-    tree_.all_intersected_primitives(Kernel::Ray_3(origin, direction),
-                                     boost::make_function_output_iterator(std::cref(add)));
-    std::sort(met.begin(), met.end());
-    if(met.empty() || !std::isfinite(met.back().first) || !(met.front().first > 0)
-       || (met.size() > 1 && !(met[1].first - met[0].first > 1e-9 * size)))
-      return std::nullopt;
-    return std::make_pair(origin + met.front().first * direction, met.front().second);
   }
 
   // Brings the ends of segments that cross the surface nearer to it until none does: faces that share an edge hide nothing
@@ -606,6 +625,7 @@ private:
   Tree tree_, walls_; // The second one is empty if there are no openings.
   bool is_inward_ = false;
   double size_ = 0; // of the bounding box
+  int axis_ = 0;    // the shortest side of that
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
@@ -19,6 +20,7 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Inside_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Line_centering.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Line_sampling.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
@@ -167,6 +169,15 @@ inline bool does_self_intersect(const Mesh& mesh, const Stage_progress& progress
   return intersections(progress.part(0.2, 1))[0] != 0;
 }
 
+// Steps in the unit of a component. Their number is to be one that memory can hold.
+inline double spacing_of(const Filled_component& component, const Skeleton_options& options)
+{
+  const double spacing = std::scalbn(options.spacing, component.exponent);
+  if(options.spacing > 0 && !(spacing > 1e-7))
+    throw Parameter_error("the spacing is below a ten-millionth of the size of the surface");
+  return spacing;
+}
+
 template <class Component>
 Component_skeleton make_component_skeleton(Component component,
                                            const Skeleton_options& options,
@@ -197,7 +208,9 @@ Component_skeleton make_component_skeleton(Component component,
   Skeleton_lines lines(graph, chains, component, options, are_distances);
   Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio, result.is_self_intersecting);
   if(options.smooth > 0 && tree.has_area())
-    const Line_centering centering(graph, chains, tree, lines, options.smooth, options.sampling_ratio);
+    const Line_centering centering(graph, chains, tree, lines, options.smooth);
+  if(tree.has_area())
+    const Line_sampling sampling(chains, tree, lines, spacing_of(component, options));
   inside.certify();
   result.number_of_contractible_loops = inside.number_of_contractible_loops();
   result.number_outside = inside.number_outside();

@@ -1,0 +1,123 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SKELETON_INTERNAL_BLUNT_END_H
+#define CGAL_REEB_GRAPH_SKELETON_INTERNAL_BLUNT_END_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal::skeleton {
+
+// The cap that closes a limb: the faces around the one that is seen along the limb, which turn from it by less than 60 degrees.
+// A limb ends bluntly if the cap is flatter than half of its radius, and nearly all of it turns by less than 30 degrees,
+// so that its rim is narrow.
+class Blunt_end
+{
+public:
+  // The view is from a point inside, in a direction of length 1, where the limb has about such a radius.
+  Blunt_end(const Surface_tree& tree, const Point& from, const Vector& along, double radius)
+    : tree_(tree),
+      mesh_(tree.mesh())
+  {
+    const auto seen = tree.first_seen(from, along);
+    if(!seen)
+      return;
+    const double farthest = 4 * (radius + distance(from, seen->first));
+    if(const auto axis = mean_normal(seen->second, along, seen->first, farthest))
+      if(mean_normal(seen->second, *axis, seen->first, farthest) && is_flat(*axis))
+        find_middle(seen->first);
+  }
+
+  // The point near the middle of the cap that is nearest to what is seen, if the limb ends bluntly.
+  const std::optional<Surface_place>& middle() const { return middle_; }
+
+  double radius() const { return std::sqrt(area_ / pi); }
+
+private:
+  // Finds the cap, whose faces look about the way of a direction, and the way that it looks on average. None if it is far larger than
+  // the limb.
+  std::optional<Vector> mean_normal(Mesh::Face_index seen, const Vector& axis, const Point& p, double farthest)
+  {
+    std::vector<Mesh::Face_index> waiting = {seen};
+    std::set<Mesh::Face_index> found = {seen};
+    Vector sum = NULL_VECTOR, moment = NULL_VECTOR;
+    area_ = flat_area_ = 0;
+    faces_.clear();
+    while(!waiting.empty())
+    {
+      const auto f = waiting.back();
+      waiting.pop_back();
+      const auto corners = tree_.corners(f);
+      const Vector normal = -tree_.inward_normal(f);
+      const double turn = normal * axis,
+                   size = length(cross_product(corners[1] - corners[0], corners[2] - corners[0])) / 2;
+      if(turn < cosine_of_60)
+        continue;
+      if(distance(corners[0], p) > farthest)
+        return std::nullopt;
+      faces_.push_back(f);
+      area_ += size;
+      flat_area_ += turn < cosine_of_30 ? 0 : size;
+      sum = sum + size * normal;
+      moment = moment + size * (CGAL::centroid(corners[0], corners[1], corners[2]) - ORIGIN);
+      for(const auto h : CGAL::halfedges_around_face(mesh_.halfedge(f), mesh_))
+        if(const auto g = mesh_.face(mesh_.opposite(h)); found.insert(g).second)
+          waiting.push_back(g);
+    }
+    if(!(area_ > 0) || !(length(sum) > 0))
+      return std::nullopt;
+    centroid_ = ORIGIN + moment / area_;
+    return sum / length(sum);
+  }
+
+  bool is_flat(const Vector& axis) const
+  {
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for(const auto f : faces_)
+      for(const Point& p : tree_.corners(f))
+      {
+        const double height = (p - centroid_) * axis;
+        lowest = (std::min)(lowest, height);
+        highest = (std::max)(highest, height);
+      }
+    return flat_area_ > least_flat_share * area_ && highest - lowest < radius() / 2;
+  }
+
+  void find_middle(const Point& seen)
+  {
+    const double away = distance(seen, centroid_), most = share_beside * radius();
+    const auto [closest, face] = tree_.closest_place(centroid_ + (away > most ? most / away : 1) * (seen - centroid_));
+    const auto [a, b, c] = tree_.corners(face);
+    middle_ = {closest + share_to_center * (CGAL::centroid(a, b, c) - closest), std::nullopt, face};
+  }
+
+  static constexpr double cosine_of_60 = 0.5, cosine_of_30 = 0.8660254037844386;
+  static constexpr double least_flat_share = 0.8, share_beside = 0.12;
+  static constexpr double share_to_center = 0.05; // so that the point is on no edge
+
+  const Surface_tree& tree_;
+  const Mesh& mesh_;
+  std::vector<Mesh::Face_index> faces_;
+  double area_ = 0, flat_area_ = 0;
+  Point centroid_ = ORIGIN;
+  std::optional<Surface_place> middle_;
+};
+
+} // namespace CGAL::Reeb_graph::internal::skeleton
+
+#endif // CGAL_REEB_GRAPH_SKELETON_INTERNAL_BLUNT_END_H

@@ -1,0 +1,300 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "generated_surfaces.h"
+#include "mesh_builders.h"
+#include "random_meshes.h"
+#include "shuffle.h"
+
+#include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// Skeletons of shapes whose axes and radii are known, of random sizes, densities, directions and units.
+
+BOOST_AUTO_TEST_SUITE(test_skeleton_plain_shapes)
+
+using CGAL::Reeb_graph::Curve_skeleton;
+using CGAL::Reeb_graph::extract_curve_skeleton;
+using CGAL::Reeb_graph::Skeleton_certificate;
+using generated_surfaces::Triangle_soup;
+using mesh_builders::Surface_mesh;
+namespace parameters = CGAL::parameters;
+
+namespace {
+typedef std::array<double, 2> Ring; // height and radius
+typedef std::array<double, 3> Point;
+const double pi = std::acos(-1.);
+
+// A surface around the z-axis, closed by a fan around the axis at both ends.
+Triangle_soup turned(const std::vector<Ring>& rings, std::size_t around, double bottom, double top)
+{
+  Triangle_soup soup;
+  for(const auto& [height, radius] : rings)
+    for(std::size_t i = 0; i != around; ++i)
+    {
+      const double turn = 2 * pi * static_cast<double>(i) / static_cast<double>(around);
+      soup.points.push_back({radius * std::cos(turn), radius * std::sin(turn), height});
+    }
+  const std::size_t low = soup.points.size(), high = low + 1, last = low - around;
+  soup.points.push_back({0, 0, bottom});
+  soup.points.push_back({0, 0, top});
+  for(std::size_t i = 0; i != around; ++i)
+  {
+    const std::size_t next = (i + 1) % around;
+    soup.triangles.push_back({low, next, i});
+    soup.triangles.push_back({high, last + i, last + next});
+    for(std::size_t ring = 0; ring != last; ring += around)
+    {
+      soup.triangles.push_back({ring + i, ring + next, ring + around + next});
+      soup.triangles.push_back({ring + i, ring + around + next, ring + around + i});
+    }
+  }
+  return soup;
+}
+
+// Rings from one height to another one, of radii that change linearly.
+void add_rings(const Ring& from, const Ring& to, std::size_t number, std::vector<Ring>& rings)
+{
+  for(std::size_t i = 0; i <= number; ++i)
+  {
+    const double t = static_cast<double>(i) / static_cast<double>(number);
+    rings.push_back({(1 - t) * from[0] + t * to[0], (1 - t) * from[1] + t * to[1]});
+  }
+}
+
+Triangle_soup closed_tube(double radius, double length, std::size_t around, std::size_t along, std::size_t in_caps)
+{
+  std::vector<Ring> rings;
+  for(std::size_t i = 1; i <= in_caps; ++i)
+    rings.push_back({0, radius * static_cast<double>(i) / static_cast<double>(in_caps + 1)});
+  add_rings({0, radius}, {length, radius}, along, rings);
+  for(std::size_t i = in_caps; i != 0; --i)
+    rings.push_back({length, radius * static_cast<double>(i) / static_cast<double>(in_caps + 1)});
+  return turned(rings, around, 0, length);
+}
+
+Triangle_soup capsule(double radius, double length, std::size_t around, std::size_t along)
+{
+  const std::size_t number = around / 4;
+  std::vector<Ring> rings;
+  const auto add_round = [&](std::size_t i, double height, double side) {
+    const double turn = pi / 2 * static_cast<double>(i) / static_cast<double>(number);
+    rings.push_back({height + side * radius * std::cos(turn), radius * std::sin(turn)});
+  };
+  for(std::size_t i = 1; i < number; ++i)
+    add_round(i, 0, -1);
+  add_rings({0, radius}, {length, radius}, along, rings);
+  for(std::size_t i = number - 1; i != 0; --i)
+    add_round(i, length, 1);
+  return turned(rings, around, -radius, length + radius);
+}
+
+// Turned in space, in a unit, with shuffled vertices and faces.
+Triangle_soup moved(Triangle_soup soup, random_meshes::Random& random, double unit)
+{
+  for(int turn = 0; turn != 3; ++turn)
+  {
+    const double angle = static_cast<double>(random.below(1000)), c = std::cos(angle), s = std::sin(angle);
+    for(Point& p : soup.points)
+      p = {p[1] * c - p[2] * s, p[1] * s + p[2] * c, p[0]};
+  }
+  for(Point& p : soup.points)
+    for(double& x : p)
+      x *= unit;
+  std::vector<std::size_t> numbers(soup.points.size());
+  for(std::size_t i = 0; i != numbers.size(); ++i)
+    numbers[i] = i;
+  random.shuffle(numbers);
+  const std::vector<Point> points(soup.points.begin(), soup.points.end());
+  for(std::size_t i = 0; i != numbers.size(); ++i)
+    soup.points[numbers[i]] = points[i];
+  for(auto& triangle : soup.triangles)
+    for(std::size_t& v : triangle)
+      v = numbers[v];
+  random.shuffle(soup.triangles);
+  return soup;
+}
+
+double in(double least, double most, random_meshes::Random& random)
+{
+  return least + (most - least) * static_cast<double>(random.below(1001)) / 1000;
+}
+
+typedef Curve_skeleton<Surface_mesh> Skeleton;
+
+double step_of(const Skeleton& skeleton, std::size_t a, std::size_t b)
+{
+  return std::sqrt(CGAL::squared_distance(skeleton[a].point, skeleton[b].point));
+}
+
+double length_of(const Skeleton& skeleton)
+{
+  double length = 0;
+  for(const auto& arc : skeleton_arcs(skeleton))
+    for(std::size_t i = 1; i != arc.size(); ++i)
+      length += step_of(skeleton, arc[i - 1], arc[i]);
+  return length;
+}
+
+// The mean along the lines.
+template <class Value>
+double mean_of(const Skeleton& skeleton, const Value& value)
+{
+  double sum = 0;
+  for(const auto& arc : skeleton_arcs(skeleton))
+    for(std::size_t i = 1; i != arc.size(); ++i)
+      sum += step_of(skeleton, arc[i - 1], arc[i]) * (value(skeleton[arc[i - 1]]) + value(skeleton[arc[i]])) / 2;
+  return sum / length_of(skeleton);
+}
+
+// Radii count at least as half a mean edge, or as a fiftieth of the size if that is less.
+double least_radius(const Surface_mesh& mesh)
+{
+  double sum = 0;
+  for(const auto e : mesh.edges())
+    sum += std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  const CGAL::Bbox_3 box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  const double size = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  return std::min(sum / static_cast<double>(mesh.num_edges()) / 2, size / 50);
+}
+
+Skeleton check_steps(const Surface_mesh& mesh, double ratio)
+{
+  Skeleton skeleton;
+  const Skeleton_certificate known = extract_curve_skeleton(mesh, skeleton, parameters::sampling_ratio(ratio));
+  BOOST_TEST(known.is_inside());
+  const double least = least_radius(mesh);
+  for(const auto& arc : skeleton_arcs(skeleton))
+    for(std::size_t i = 1; i != arc.size(); ++i)
+    {
+      const double radius = std::min(skeleton[arc[i - 1]].radius, skeleton[arc[i]].radius);
+      BOOST_TEST(step_of(skeleton, arc[i - 1], arc[i]) <= 1.5001 * ratio * std::max(radius, least));
+    }
+  return skeleton;
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(capsules_have_points_all_along)
+{
+  for(std::size_t seed = 0; seed != 30; ++seed)
+  {
+    random_meshes::Random random(seed);
+    const double radius = in(0.3, 3, random), length = in(4, 20, random) * radius,
+                 unit = std::pow(10, in(-20, 20, random));
+    const std::size_t around = 12 + 4 * random.below(4), along = 4 + random.below(30);
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const auto mesh =
+        generated_surfaces::make_mesh<Surface_mesh>(moved(capsule(radius, length, around, along), random, unit));
+      const Skeleton skeleton = check_steps(mesh, 0.5);
+      BOOST_TEST(std::abs(length_of(skeleton) / unit - length - 2 * radius) < 0.1 * radius);
+      const double inscribed = mean_of(skeleton, [](const auto& v) { return v.inscribed_radius; }) / unit;
+      const double expected = radius * (length + radius) / (length + 2 * radius); // less what a polygon has not
+      BOOST_TEST((inscribed < 1.001 * expected && inscribed > 0.94 * expected));
+      BOOST_TEST(std::abs(mean_of(skeleton, [](const auto& v) { return v.radius; }) / unit / radius - 1) < 0.08);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_step_is_too_long_for_any_ratio)
+{
+  random_meshes::Random random(7);
+  for(const double ratio : {0.1, 0.5, 2.})
+    for(const Triangle_soup& soup :
+        {capsule(1, 10, 12, 10), closed_tube(1, 10, 12, 1, 0), closed_tube(0.2, 10, 6, 40, 0),
+         generated_surfaces::torus(8, 30), turned({{0, 2}}, 12, 0, 9)})
+      check_steps(generated_surfaces::make_mesh<Surface_mesh>(moved(soup, random, 1)), ratio);
+}
+
+// Steps are equal but for the last one, whether lines have been moved or not.
+BOOST_AUTO_TEST_CASE(steps_are_as_long_as_is_asked_for)
+{
+  random_meshes::Random random(11);
+  for(const double smooth : {0., 1.})
+    for(const double spacing : {0.03, 0.2, 0.7})
+      for(const Triangle_soup& soup :
+          {capsule(1, 10, 12, 10), closed_tube(1, 10, 12, 20, 1), generated_surfaces::torus(12, 40)})
+      {
+        const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(moved(soup, random, 3));
+        Skeleton skeleton;
+        const auto np = parameters::spacing(3 * spacing).smooth(smooth);
+        BOOST_TEST(extract_curve_skeleton(mesh, skeleton, np).is_inside());
+        for(const auto& arc : skeleton_arcs(skeleton))
+          for(std::size_t i = 1; i != arc.size(); ++i)
+          {
+            const double step = step_of(skeleton, arc[i - 1], arc[i]) / 3;
+            BOOST_TEST((step < 1.01 * spacing && (i + 1 == arc.size() || step > 0.99 * spacing)));
+          }
+      }
+  const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(generated_surfaces::torus(12, 40));
+  Skeleton skeleton;
+  for(const double spacing : {-1., 1e-9, std::nan("")})
+    BOOST_CHECK_THROW(extract_curve_skeleton(mesh, skeleton, parameters::spacing(spacing)),
+                      CGAL::Reeb_graph::Parameter_error);
+}
+
+// The line of a tube leads from the middle of one cap to that of the other one.
+BOOST_AUTO_TEST_CASE(tips_of_blunt_ends_are_in_the_middle)
+{
+  for(std::size_t seed = 0; seed != 30; ++seed)
+  {
+    random_meshes::Random random(seed);
+    const double radius = in(0.5, 4, random), length = in(3.5, 15, random) * radius;
+    const std::size_t around = 10 + random.below(40), along = 3 + random.below(30), in_caps = random.below(5);
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(
+        moved(closed_tube(radius, length, around, along, in_caps), random, 1));
+      const Skeleton skeleton = check_steps(mesh, 0.5);
+      BOOST_TEST(std::abs(length_of(skeleton) - length) < 0.1 * radius);
+      double sum = 0;
+      for(const auto v : CGAL::make_range(vertices(skeleton)))
+        sum += out_degree(v, skeleton) == 1 ? skeleton[v].inscribed_radius : 0;
+      BOOST_TEST(sum == 0);
+      BOOST_TEST(std::abs(mean_of(skeleton, [](const auto& v) { return v.radius; }) / radius - 1) < 0.08);
+    }
+  }
+}
+
+// Tips of what is round or pointed stay vertices of the surface.
+BOOST_AUTO_TEST_CASE(tips_of_round_and_pointed_ends_stay)
+{
+  random_meshes::Random random(3);
+  std::vector<Ring> cone, ball;
+  add_rings({0.5, 0.05}, {10, 1}, 20, cone);
+  for(int i = 1; i != 12; ++i)
+    ball.push_back({-2 * std::cos(pi * i / 12), std::sin(pi * i / 12)});
+  for(const auto& [soup, number_of_blunt] : {std::make_pair(capsule(1, 8, 24, 16), 0),
+                                             {capsule(1, 8, 16, 30), 0},
+                                             {turned(cone, 24, 0, 10), 1},
+                                             {turned(ball, 24, -2, 2), 0}})
+  {
+    const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(moved(soup, random, 1));
+    const Skeleton skeleton = check_steps(mesh, 0.5);
+    int number_of_others = 0;
+    for(const auto v : CGAL::make_range(vertices(skeleton)))
+      if(out_degree(v, skeleton) == 1)
+        number_of_others += std::none_of(mesh.points().begin(), mesh.points().end(),
+                                         [&](const auto& p) { return p == skeleton[v].point; })
+                            ? 1
+                            : 0;
+    BOOST_TEST(number_of_others == number_of_blunt);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
