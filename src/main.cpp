@@ -39,6 +39,7 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   Contour_choice& choice = options.choice;
   add_input_options(*command, options.input);
   add_field_option(*command, options.input);
+  add_strict_option(*command, options.input, "With --html: ");
   add_graph_options(*command, choice.graph);
   add_simplification_options(*command, choice.simplification);
   begin_group(*command, "Contours, one of --t, --level, --levels, and --closest");
@@ -46,6 +47,10 @@ void add_contour_command(CLI::App& app, Contour_options& options)
                   "The contour at this place of each arc, greater than 0 (low) and less than 1 (high)");
   add_whole_number(*command, "--arc", choice.arc,
                    "With --t: only the contour of this arc, by its number in files of the graph, from 0");
+  add_file(*command, "--parametrize", options.parametrization,
+           "With --t: measure places on arcs by another field than that of the graph, unit-gradient, whose equal steps "
+           "are equal distances on the surface, or a file with one number per vertex, as of --scalars")
+    ->type_name("unit-gradient|FILE");
   add_values(*command, "--level", choice.levels, "The contours just above this value; can be given several times");
   add_whole_number(*command, "--levels", choice.number_of_levels,
                    "The contours at this many values, which cut the range of the field into equal steps", {1});
@@ -65,8 +70,8 @@ void add_contour_command(CLI::App& app, Contour_options& options)
   add_output_files(
     *command, options.output_paths,
     "Write the contours to these files: .polylines.txt, or .off in tetrahedra; .vtp, .obj, .json, and .csv also have "
-    "the arc, value, and length of each, and whether it is closed")
-    ->required();
+    "the arc, value, and length of each, and whether it is closed");
+  add_page_options(*command, options);
   add_json_option(*command, options.is_report_json);
   add_example(*command, "reeb_graph contour scan.ply --field geodesic --simplify auto --t 0.5 --output contours.vtp");
   command->callback(

@@ -178,22 +178,32 @@ class ReebGraph:
 
     # ---- the way back to the mesh
 
-    def contour(self, arc: int, t: float) -> Contour:
+    def contour(self, arc: int, t: float, parametrization: Any = None) -> Contour:
         """Trace the contour of an arc at the place `t` between its lower node, 0, and its upper one, 1, both excluded.
 
-        `t` is linear in the values. The contour is an array of points that knows more, see `reeb_graph.Contour`.
+        The contour is an array of points that knows more, see `reeb_graph.Contour`.
+
+        Parameters
+        ----------
+        arc : int
+        t : float
+        parametrization : 'unit-gradient' or (vertices,) array of numbers, optional
+            The field whose absolute differences along the chain of the arc add up to `t`. By default `t` is linear in
+            the values of the field of the graph. With its unit gradient field, which needs a surface, equal steps of `t`
+            are about equal distances.
         """
-        return self._contours(self._number(arc, self.n_arcs, "arc"), _arrays.real(t, "t"), None)[0]
+        place = self._number(arc, self.n_arcs, "arc"), _arrays.real(t, "t")
+        return self._contours(*place, parametrization=parametrization)[0]
 
     def contours(self, level: float) -> list[Contour]:
         """Trace all contours of the level of a value: those just above the last vertex whose scalar is at most `level`."""
         if np.isnan(_arrays.real(level, "the level")):
             raise ValueError("the level is not a number (NaN)")
-        return self._contours(None, None, self._field.place(level))
+        return self._contours(level=self._field.place(level))
 
-    def contours_of_arcs(self, t: float = 0.5) -> list[Contour]:
-        """Trace the contour of each arc at the place `t` between its nodes."""
-        return self._contours(None, _arrays.real(t, "t"), None)
+    def contours_of_arcs(self, t: float = 0.5, parametrization: Any = None) -> list[Contour]:
+        """Trace the contour of each arc at the place `t` between its nodes, parametrized as for `contour`."""
+        return self._contours(t=_arrays.real(t, "t"), parametrization=parametrization)
 
     def critical_set(self, node: int) -> CriticalSet:
         """Return what a node stands for: the contours that meet there, and more."""
@@ -392,9 +402,27 @@ class ReebGraph:
             raise NumberError(f"there is no {name} {number}: the graph has {count}, numbered from 0")
         return number
 
-    def _contours(self, arc: int | None, t: float | None, level: float | None) -> list[Contour]:
+    @cached_property
+    def _unit_gradient(self) -> np.ndarray:
+        return self._run("unit_gradient")
+
+    def _parametrization(self, given: Any) -> np.ndarray | None:
+        if given is None:
+            return None
+        if isinstance(given, str):
+            _arrays.one_of(given, ("unit-gradient",), "a parametrization that is no array")
+            return self._unit_gradient
+        values = _arrays.doubles(given, "parametrization")
+        if len(values) != self.n_vertices:
+            raise ValueError(f"parametrization has {len(values)} numbers for {self.n_vertices} vertices")
+        return values
+
+    def _contours(
+        self, arc: int | None = None, t: float | None = None, level: float | None = None, parametrization: Any = None
+    ) -> list[Contour]:
         self._need_points("a contour")
-        return [self._contour(contour) for contour in self._run("contours", arc, t, level)]
+        found = self._run("contours", arc, t, level, self._parametrization(parametrization))
+        return [self._contour(contour) for contour in found]
 
     def _contour(self, found: tuple[Any, ...]) -> Contour:
         arc, value, closed, edges, points, polylines, triangles = found

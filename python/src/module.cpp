@@ -170,19 +170,35 @@ std::vector<Numbers> loops(Graph_of_arrays& given)
   return numbers;
 }
 
-// Those at the place `t` of all arcs, or of one, or at a level.
-std::vector<Contour> contours(Graph_of_arrays& graph,
-                              std::optional<std::size_t> arc,
-                              std::optional<double> t,
-                              std::optional<double> level)
+// Those at the place `t` of all arcs, or of one, which is measured by the values of another field if there are any; or at a
+// level.
+py::object contours(Graph_of_arrays& graph,
+                    std::optional<std::size_t> arc,
+                    std::optional<double> t,
+                    std::optional<double> level,
+                    const std::optional<Value_array>& parametrization,
+                    Run& run)
 {
   Contour_choice choice;
   choice.arc = arc;
   choice.t = t;
+  if(parametrization)
+    choice.parametrization.assign(parametrization->data(), parametrization->data() + parametrization->size());
   if(level)
     choice.levels = {*level};
   choice.may_be_none = true;
-  return graph.mesh_graph->find_contours(choice);
+  const auto find = +[](Graph_of_arrays& g, const Contour_choice* c) { return g.mesh_graph->find_contours(*c); };
+  return running(find)(graph, &choice, run);
+}
+
+// The unit gradient field of that of the graph.
+std::vector<double> unit_gradient_values(Graph_of_arrays& graph)
+{
+  const Mesh& mesh = graph.input->mesh;
+  if(const std::string reason = reason_against("the field unit-gradient", mesh); !reason.empty())
+    throw std::runtime_error(reason);
+  Work_report report;
+  return compute_unit_gradient(mesh.surface, graph.input->scalar_map, report);
 }
 
 // The names of the measures of arcs, a column for each, and whether it has values of the field.
@@ -700,7 +716,8 @@ void add_graph(py::module_& module)
     .def("mesh_arrays", running(&mesh_arrays))
     .def("simplify", running(&simplify))
     .def("places", running(+[](G& g) { return g.mesh_graph->places(); }))
-    .def("contours", running(&contours))
+    .def("contours", &contours)
+    .def("unit_gradient", running(&unit_gradient_values))
     .def("critical_set", running(+[](G& g, std::size_t node) { return g.mesh_graph->critical_set(node); }))
     .def("longest_loop", running(+[](G& g) { return find_longest_loop(*g.mesh_graph).polylines.front(); }))
     .def("measures", running(&measures))

@@ -78,6 +78,43 @@ def test_contours_as_the_program(tmp_path, torus):
     assert [contour.arc for contour in graph.contours_of_arcs(0.4)] == list(range(graph.n_arcs))
 
 
+def test_parametrized_contours(tmp_path):
+    triangles, points = meshes.grid(81, 24, False, True)
+    points[:, 2] = points[:, 2] * 81 / 40 - 1  # a tube from -1 to 1
+    graph = reeb_graph.compute(triangles, points[:, 2] ** 3, points=points)
+    assert graph.n_arcs == 1
+    unit = reeb_graph.unit_gradient(triangles, points, graph._scalars())
+    np.save(tmp_path / "field.npy", graph._scalars())
+    np.save(tmp_path / "unit.npy", unit)
+    meshes.write_off(tmp_path / "tube.off", triangles, points)
+    places = np.arange(1, 10) / 10
+    steps_of = {}
+    for name, parametrization in (("unit-gradient", "unit-gradient"), ("unit.npy", unit), (None, None)):
+        heights = [graph.contour(0, t, parametrization=parametrization)[:, 2].mean() for t in places]
+        assert np.allclose([graph.contours_of_arcs(t, parametrization)[0][:, 2].mean() for t in places], heights)
+        for t, height in zip(places, heights):
+            options = () if name is None else ("--parametrize", name if name == "unit-gradient" else tmp_path / name)
+            meshes.run("contour", tmp_path / "tube.off", "--scalars", tmp_path / "field.npy", "--t", t, *options,
+                       "--output", tmp_path / "contour.polylines.txt")
+            of_program = polylines((tmp_path / "contour.polylines.txt").read_text())
+            assert len(of_program) == 1 and np.isclose(of_program[0][:, 2].mean(), height, rtol=0, atol=1e-6)
+        steps_of[name] = np.diff([-1, *heights, 1])
+    for name in ("unit-gradient", "unit.npy"):
+        assert np.all(np.abs(steps_of[name] / 0.2 - 1) < 0.05)
+    assert steps_of[None].max() > 5 * steps_of[None].min()
+
+
+def test_parametrization_of_what_is_no_surface():
+    triangles, points = meshes.random_soup(np.random.default_rng(3), 12, 30)
+    graph = reeb_graph.compute(triangles, points[:, 0], points=points)
+    assert np.array_equal(graph.contour(0, 0.3, points[:, 0]), graph.contour(0, 0.3))
+    with pytest.raises(ValueError, match="the field unit-gradient needs an oriented manifold surface"):
+        graph.contour(0, 0.3, "unit-gradient")
+    for wrong in ("unit", points[1:, 0], points, np.full(12, np.nan)):
+        with pytest.raises(ValueError):
+            graph.contour(0, 0.3, wrong)
+
+
 def test_contours_of_complexes():
     triangles = np.array([[0, 1, 2], [0, 1, 3], [0, 1, 4]])
     points = np.array([[0, 0, 0], [0, 0, 1], [1, 0, 2], [-1, 0, 2], [0, 1, 2.0]])

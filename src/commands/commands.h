@@ -55,6 +55,7 @@ struct Compute_options : Command_options
 struct Contour_options : Command_options
 {
   Contour_choice choice;
+  std::string parametrization; // unit-gradient, or a file of numbers; empty for the field itself
 };
 
 struct Curves_options : Command_options

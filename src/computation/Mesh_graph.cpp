@@ -390,7 +390,12 @@ public:
   {
     const Any_graph& graph = augmentation().graph();
     std::vector<Contour> contours;
-    const auto add = [&](const auto arc) { contours.push_back(convert(augmentation().contour(arc, *choice.t))); };
+    const auto add = [&](const auto arc) {
+      contours.push_back(
+        convert(choice.parametrization.empty()
+                  ? augmentation().contour(arc, *choice.t)
+                  : augmentation().contour(arc, *choice.t, CGAL::make_property_map(choice.parametrization))));
+    };
     if(choice.point)
       contours = nearest_contour(find_nearest_place(mesh_, scalar_map_, *choice.point));
     else if(choice.arc && *choice.arc >= num_edges(graph))

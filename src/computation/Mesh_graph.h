@@ -34,6 +34,8 @@ struct Contour_choice
   Graph_options graph;
   Simplification_options simplification;
   std::optional<double> t;                     // between 0 and 1 on each arc
+  std::vector<double> parametrization;         // with t: a number for each vertex, by which t is measured along arcs;
+                                               // by those of the field if there are none
   std::optional<std::size_t> arc;              // with t: the only arc
   std::vector<double> levels;                  // of which some may have no contour
   std::optional<std::size_t> number_of_levels; // that cut the range of the field into equal steps

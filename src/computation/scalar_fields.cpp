@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/fields/poisson_field.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
+#include <CGAL/property_map.h>
 
 // Before that of compressed graphs, which hides a function that it needs.
 #include <boost/pending/disjoint_sets.hpp>
@@ -362,14 +363,6 @@ Unreached compute_from_sources(const Input_options& options,
   return unreached;
 }
 
-// The map holds the field to start from.
-Field_report compute_unit_gradient(const Surface& surface, Scalar_map scalar_map)
-{
-  Progress_bar progress_bar("unit gradient field");
-  return CGAL::Reeb_graph::compute_unit_gradient_field(surface, scalar_map, scalar_map,
-                                                       CGAL::parameters::callback(std::ref(progress_bar)));
-}
-
 void compute_height(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
 {
   typedef CGAL::Kernel_traits<Point>::Kernel::Vector_3 Vector;
@@ -386,6 +379,15 @@ void check(bool is_right, const std::string& message)
 }
 
 } // namespace
+
+std::vector<double> compute_unit_gradient(const Surface& surface, Scalar_map scalar_map, Work_report& report)
+{
+  Progress_bar progress_bar("unit gradient field");
+  std::vector<double> values(surface.number_of_vertices());
+  report.field = CGAL::Reeb_graph::compute_unit_gradient_field(surface, scalar_map, CGAL::make_property_map(values),
+                                                               CGAL::parameters::callback(std::ref(progress_bar)));
+  return values;
+}
 
 bool is_computed(const std::string& field)
 {
@@ -426,7 +428,10 @@ void compute_scalar_field(const Input_options& options,
   else if(options.field == "poisson" || options.field == "geodesic")
     unreached = compute_from_sources(options, surface, scalar_map, report);
   else if(options.field == "unit-gradient")
-    report.field = compute_unit_gradient(surface, scalar_map);
+  {
+    const std::vector<double> values = compute_unit_gradient(surface, scalar_map, report);
+    std::copy(values.begin(), values.end(), scalar_map.begin());
+  }
   else if(options.field == "height")
     compute_height(options, surface, scalar_map);
   unreached.set_nan(scalar_map);

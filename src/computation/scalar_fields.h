@@ -33,6 +33,10 @@ void compute_scalar_field(const Input_options& options,
                           Scalar_map scalar_map,
                           Work_report& report);
 
+// Computes the value at each vertex of a field with about the level sets of another one, and a gradient of length 1.
+// Reports how it went. Throws the exceptions of the library.
+std::vector<double> compute_unit_gradient(const Surface& surface, Scalar_map scalar_map, Work_report& report);
+
 // Sets the map to the lengths of the shortest paths along edges of the complex from the sources or, if there are none,
 // from a vertex of each component that is farthest away from its first vertex. Returns the sources. Throws
 // std::runtime_error if there is no such source, or no path from a source to a vertex, unless such vertices may be left.

@@ -196,7 +196,8 @@ public:
     separator_ = find_separator(lines.text());
     const std::vector<std::string> cells = split(lines.text());
     if(column_.empty() && cells.size() > 1)
-      lines.fail("there are " + std::to_string(cells.size()) + " columns; --column is to say which: " + list(cells));
+      lines.fail("there are " + std::to_string(cells.size())
+                 + " columns; for --scalars, --column says which: " + list(cells));
     const bool is_number = parse_number(column_, place_) == std::errc();
     if(!column_.empty() && !is_number)
     {
@@ -344,6 +345,14 @@ std::vector<double> read_scalars(const std::string& path, const std::string& col
   return read_parts(path, Whole_line(), number_of_vertices);
 }
 
+void read_scalars(const std::string& path, const std::string& column, const Surface& surface, Scalar_map scalar_map)
+{
+  const std::vector<double> scalars = read_scalars(path, column, number_of_given_vertices(surface));
+  for(std::size_t v = 0; v < scalars.size(); ++v)
+    scalar_map[Surface::Vertex_index(static_cast<Surface::size_type>(v))] = scalars[v];
+  set_added_vertices(surface, scalar_map);
+}
+
 namespace {
 // A finite number, or one with a percent sign, perhaps behind a space.
 bool read_number_or_percentage(std::string_view text, Threshold& threshold)
@@ -394,13 +403,7 @@ std::string vertex_property(const Input_options& options)
 void read_field(const Input_options& options, const Surface& surface, Scalar_map scalar_map)
 {
   if(!options.scalars_path.empty())
-  {
-    const std::vector<double> scalars =
-      read_scalars(options.scalars_path, options.column, number_of_given_vertices(surface));
-    for(std::size_t v = 0; v < scalars.size(); ++v)
-      scalar_map[Surface::Vertex_index(static_cast<Surface::size_type>(v))] = scalars[v];
-    set_added_vertices(surface, scalar_map);
-  }
+    read_scalars(options.scalars_path, options.column, surface, scalar_map);
   if(is_coordinate(options.field))
     for(const Surface::Vertex_index v : surface.vertices())
       scalar_map[v] = surface.point(v)[options.field[0] - 'x'];

@@ -44,6 +44,9 @@ Scalar_map add_field(const Input_options& options, Mesh& mesh, Work_report& repo
 // only one. Lines that begin with # are comments. Throws Input_error unless there are as many numbers as vertices.
 std::vector<double> read_scalars(const std::string& path, const std::string& column, std::size_t number_of_vertices);
 
+// The same for the vertices of a surface, of which a repair may have added some.
+void read_scalars(const std::string& path, const std::string& column, const Surface& surface, Scalar_map scalar_map);
+
 // Reads a threshold: a number that is not negative, a percentage, P%, or auto. Throws std::runtime_error.
 Threshold parse_threshold(const std::string& text);
 

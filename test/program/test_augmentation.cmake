@@ -100,6 +100,25 @@ foreach(level -1 1 nan inf)
   expect_error("no contour at the level ${level}" contour ${tetrahedron} --level ${level} ${output_option})
 endforeach()
 
+# places on arcs by another field; with the field of the graph, the contours are the same
+file(WRITE ${FOLDER}/z.txt "0\n0.25\n0.5\n1\n")
+expect_success(contour ${tetrahedron} --t 0.125 --parametrize z.txt --output z.polylines.txt)
+expect_same_file(z.polylines.txt level.polylines.txt)
+expect_success(contour ${tetrahedron} --t 0.5 --parametrize unit-gradient --json --output unit.vtp)
+string(JSON contours GET "${output}" contours)
+expect_equal("${contours}" "1")
+expect_error("--parametrize goes with --t only" contour ${tetrahedron} --level 0.5 --parametrize z.txt ${output_option})
+expect_error("--parametrize takes a file" contour ${tetrahedron} --t 0.5 --parametrize - ${output_option})
+expect_error("missing.txt: the file cannot be read" contour ${tetrahedron} --t 0.5 --parametrize missing.txt
+             ${output_option})
+expect_error("constant.txt.*4" contour triangles.off --field z --t 0.5 --parametrize constant.txt ${output_option})
+file(WRITE ${FOLDER}/z.csv "0\n0.25\n0.5\n1\n")
+expect_error("z.csv: this output would replace an input" contour ${tetrahedron} --t 0.5 --parametrize z.csv --output z.csv)
+file(WRITE ${FOLDER}/fins.off "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
+expect_success(contour fins.off --field z --t 0.5 --output fins.vtp)
+expect_error("fins.off: the field unit-gradient needs an oriented manifold surface; .*repair --all" contour fins.off
+             --field z --t 0.5 --parametrize unit-gradient ${output_option})
+
 # the command line
 expect_error("--t" contour ${tetrahedron} --arc 0 ${output_option})
 expect_error("" contour ${tetrahedron} --level 0.5 --t 0.5 ${output_option})
@@ -113,7 +132,7 @@ expect_error("--closest" contour ${tetrahedron} --closest 1,2,east ${output_opti
 foreach(arc -1 0.5 first)
   expect_error("--arc" contour ${tetrahedron} --arc ${arc} --t 0.5 ${output_option})
 endforeach()
-expect_error("--output" contour ${tetrahedron} --level 0.5)
+expect_error("one of --output and --html is needed" contour ${tetrahedron} --level 0.5)
 expect_error("" contour tetrahedron.off --level 0.5 ${output_option})
 foreach(command "compute" "contour;--level;0.5;${output_option}")
   expect_error("--ties" ${command} ${tetrahedron} --ties 1)

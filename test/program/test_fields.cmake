@@ -177,7 +177,7 @@ endforeach()
 expect_success(compute tetrahedron.off --scalars table.csv --column "say \"z\"" --graph column.graphml)
 expect_success(compute tetrahedron.off --field z --graph file.graphml)
 expect_same_file(column.graphml file.graphml)
-expect_error("table.csv:2: there are 3 columns; --column is to say which: 'id, the, value, say" compute tetrahedron.off
+expect_error("table.csv:2: there are 3 columns; for --scalars, --column says which: 'id, the, value, say" compute tetrahedron.off
              --scalars table.csv)
 expect_error("table.csv:2: there is no column 'speed' among 'id, the" compute tetrahedron.off --scalars table.csv --column
              speed)

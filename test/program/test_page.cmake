@@ -69,6 +69,18 @@ file(WRITE ${FOLDER}/torus.off "${torus}${torus_faces_but_one}")
 expect_success(compute torus.off --field z --vertex-arcs arcs.txt --html page.html)
 expect_page(page torus.off mesh=torus.off vertex_arcs=arcs.txt)
 
+# contours; those of triangles that are no surface are of a copy that is one, with a number for each vertex of the file
+expect_success(contour torus.off --field z --t 0.5 --unit mm --output contours.polylines.txt --html page.html)
+expect_page(page torus.off mesh=torus.off curves=contours.polylines.txt field.unit="mm")
+expect_success(contour torus.off --field z --level 2.5 --html page.html)
+file(WRITE ${FOLDER}/fins.off "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n")
+file(WRITE ${FOLDER}/five.txt "0\n1\n2\n3\n4\n")
+set(fins contour fins.off --scalars five.txt --t 0.5 --parametrize five.txt)
+expect_success(${fins} --output contours.polylines.txt --html page.html)
+expect_page(page fins.off curves=contours.polylines.txt)
+expect_error("--html needs an oriented manifold surface" ${fins} --strict --html page.html)
+expect_error("--up goes with --html only" ${fins} --up x --output contours.polylines.txt)
+
 # components, one of them a vertex; values that JSON does not have; a mesh far from 0
 file(WRITE ${FOLDER}/parts.off
      "OFF\n7 2 0\n1e6 0 0\n1000001 0 1\n1e6 1 1\n1000005 0 0\n1000006 0 0.5\n1000005 1 1\n1e6 5 2\n"

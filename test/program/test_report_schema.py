@@ -49,6 +49,8 @@ commands += [
     ["compute", surface, "--field", "harmonic", "--graph", "graph.vtp", "--mesh-out", "mesh.ply"],
     ["compute", "sheet.off", "--field", "z", "--html", "page.html"],
     ["contour", surface, "--field", "poisson", "--levels", "3", "--output", "contours.json"],
+    ["contour", surface, "--field", "z", "--t", "0.5", "--parametrize", "unit-gradient", "--output", "contours.vtp"],
+    ["contour", "sheet.off", "--field", "z", "--t", "0.5", "--html", "page.html"],
     ["contour", "volume.mesh", "--field", "z", "--t", "0.5", "--output", "contours.off"],
     ["handles", surface], ["handles", surface, "--remove", "1", "--output", "clean.ply"], ["handles", "sheet.off"],
     ["repair", "sheet.off", "--all", "--output", "repaired.ply"],
