@@ -35,7 +35,7 @@ namespace CGAL::Reeb_graph {
 /// The field is linear on a face with the corners \f$ v_1, v_2, v_3 \f$, and its gradient there
 /// \f$ \sum_i f(v_i) \frac{|E_i|}{2 A} u_i \f$, where \f$ A \f$ is the area, \f$ E_i \f$ the edge that faces
 /// \f$ v_i \f$, and \f$ u_i \f$ the unit vector in the face that is perpendicular to \f$ E_i \f$ and points to
-/// \f$ v_i \f$. See \cgalCite{hr-edrprg-20}, Section 6.3. It is exact for the restriction of a linear function of
+/// \f$ v_i \f$. See \cgalCite{hr-edrprg-20}, Section 6.2. It is exact for the restriction of a linear function of
 /// space, up to rounding, and takes linear time. If there are bad faces, it is the gradient on faces with longer edges,
 /// see `Field_report`, each laid out in the plane of the given one as far as that has a plane.
 ///
@@ -105,7 +105,7 @@ Field_report compute_gradient(const FaceListGraph& mesh,
 /// It is \f$ \frac12 \sum_j \cot \theta_{j_1} \langle e_{j_1}, X_j \rangle + \cot \theta_{j_2} \langle e_{j_2}, X_j
 /// \rangle \f$ with the sum over the faces at the vertex; \f$ e_{j_1}, e_{j_2} \f$ are the edges of a face that lead
 /// away from the vertex, \f$ \theta_{j_1}, \theta_{j_2} \f$ the angles that face them, \f$ X_j \f$ the vector. See
-/// \cgalCite{hr-edrprg-20}, Section 6.3. This is the divergence integrated over a cell around the vertex:
+/// \cgalCite{hr-edrprg-20}, Section 6.2. This is the divergence integrated over a cell around the vertex:
 /// \f$ \sum_v f(v) \, \mathrm{div} X(v) = - \sum_j A_j \langle \nabla f_j, X_j \rangle \f$ for any field \f$ f \f$,
 /// and the divergence of a gradient is the Laplacian with cotangent weights. It takes linear time.
 ///

@@ -208,7 +208,7 @@ Field_report compute_curvature_poisson_field(const FaceListGraph& mesh,
 /// The gradient of the given field is computed on each face and divided by its length,
 /// \f$ X = \nabla f / |\nabla f| \f$. On a face where the field is constant, it has no direction, and \f$ X = 0 \f$.
 /// The result is the field \f$ \hat f \f$ whose gradient is closest to \f$ X \f$ in the mean square, the solution of
-/// \f$ \Delta \hat f = \mathrm{div} X \f$. See \cgalCite{hr-edrprg-20}, Section 6.3. In each component the lowest
+/// \f$ \Delta \hat f = \mathrm{div} X \f$. See \cgalCite{hr-edrprg-20}, Section 6.2. In each component the lowest
 /// vertex of \f$ f \f$ gets the value 0.
 ///
 /// The level sets are parallel to those of \f$ f \f$ only as far as \f$ X \f$ is a gradient. It is none near saddles,
