@@ -94,6 +94,15 @@ def run_command(text):
     wait_for_result()
 
 
+def shown(name):
+    return browser.find_element(By.ID, name).is_displayed()
+
+
+def press(wish):
+    browser.find_element(By.XPATH, f"//*[@id='wishes']//button[text()='{wish}']").click()
+    wait_for_result()
+
+
 def run_natively(command, files):
     where = folder / "native"
     shutil.rmtree(where, ignore_errors=True)
@@ -150,6 +159,7 @@ def test_wishes(name):
     load()
     choose(folder / "field.txt")
     choose(mesh)
+    assert browser.execute_script("return window.reebGraphWeb.result") is None, "nobody has wished anything"
     wishes = browser.find_elements(By.CSS_SELECTOR, "#wishes form")
     assert len(wishes) >= 9
     for wish in wishes:
@@ -160,8 +170,9 @@ def test_wishes(name):
         native = run_natively(command, [mesh, folder / "field.txt"])
         ours = result()
         assert_same(title, ours, native)
-        is_failure_shown = browser.find_element(By.ID, "failure").is_displayed()
-        assert is_failure_shown == (native["code"] != 0), title
+        assert shown("failure") == (native["code"] != 0), title
+        assert shown("page") == ("page.html" in native["files"]), title
+        assert native["code"] != 0 or shown("page"), title
         print(f"ok: {title}{': ' + native['errors'] if native['code'] else ''}", flush=True)
     assert_offline()
 
@@ -171,7 +182,8 @@ def test_result():
     choose(data / "genus_3.off")
     run_command("compute MESH --field z --graph graph.svg --html page.html")
     assert "3 loops" in browser.find_element(By.ID, "report").text
-    wait_until(browser.find_element(By.ID, "drawing_of_graph").is_displayed, "the drawing is not shown")
+    wait_until(lambda: shown("drawing_of_graph"), "the drawing is not shown")
+    wait_until(lambda: not shown("not_drawn"), "the picture is not drawn")
     links = browser.find_elements(By.CSS_SELECTOR, "#downloads a")
     assert {link.get_attribute("download") for link in links} == {"graph.svg", "page.html"}
     with zipfile.ZipFile(io.BytesIO(zipped())) as archive:
@@ -209,12 +221,54 @@ def test_command_line():
 def test_drop_and_broken_file():
     load()
     drop(data / "figure.off")
-    assert result()["code"] == 0 and browser.find_element(By.ID, "page").is_displayed()
+    assert "Choose a wish" in browser.find_element(By.ID, "mesh").text and not shown("result")
+    press("One contour per arc")
+    assert result()["code"] == 0 and shown("page")
     broken = folder / "broken.off"
     broken.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 x\n3 0 1 2\n")
     drop(broken)
+    assert not shown("result") and not shown("failure")
+    press("A page to look at, and to send")
     native = run_natively("compute MESH --field z --html page.html", [broken])
     assert native["code"] != 0 and browser.find_element(By.ID, "failure").text == native["errors"]
+    drop(data / "figure.off")
+    assert not shown("failure")
+
+
+def test_field_of_your_own():
+    load()
+    table = folder / "heat of day.csv"
+    table.write_text("day,night\n" + "".join(f"{i},{i * i}\n" for i in range(4)))
+    (folder / "four.off").write_text("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
+    choose(folder / "four.off")
+    choose(table)
+    press("A field of your own")
+    failure = browser.find_element(By.ID, "failure").text
+    assert "2 columns" in failure and "“column”" in failure and "--" not in failure, failure
+    browser.find_element(By.NAME, "column").send_keys("night")
+    press("A field of your own")
+    assert result()["code"] == 0 and "9" in result()["output"]
+    assert "--scalars \"heat of day.csv\" --column night" in browser.find_element(By.ID, "command").get_property("value")
+
+
+def test_repair():
+    load()
+    faces = ["4 0 1 2 3", "3 0 1 4", "3 0 1 5"]
+    fins = folder / "fins.off"
+    fins.write_text("OFF\n6 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n0 0 -1\n" + "\n".join(faces) + "\n")
+    for option, mesh in (("--triangulate", fins.name), ("--all", "fins_repaired.ply")):
+        if mesh == fins.name:
+            choose(fins)
+        press("Pieces between levels")
+        failure = browser.find_element(By.ID, "failure").text
+        assert "“Repair the mesh”" in failure and "--" not in failure, failure
+        browser.find_element(By.ID, "repair").click()
+        wait_for_result()
+        command = browser.find_element(By.ID, "command").get_property("value")
+        assert option in command and result()["code"] == 0, command
+        assert mesh.replace(".off", "").replace(".ply", "") + "_repaired.ply, the mesh" in browser.find_element(By.ID, "mesh").text
+    press("Pieces between levels")
+    assert result()["code"] == 0 and not shown("failure")
 
 
 def test_cancel():
@@ -233,7 +287,7 @@ def test_cancel():
         look();""")
     assert is_shown
     time.sleep(0.5)
-    assert not browser.find_element(By.ID, "result").is_displayed()
+    assert not shown("result")
     run_command("compute MESH --field z")
     assert result()["code"] == 0
 
@@ -241,9 +295,9 @@ def test_cancel():
 def test_address():
     command = "curves MESH --type pants --mesh-out pants.ply"
     load("#" + urllib.parse.quote(command))
-    assert browser.find_element(By.ID, "failure").is_displayed()
+    assert shown("failure")
     choose(data / "genus_3.off")
-    assert set(result()["files"]) == {"pants.ply"} and not browser.find_element(By.ID, "failure").is_displayed()
+    assert set(result()["files"]) == {"pants.ply"} and not shown("failure")
     run_command("compute MESH --field x")
     assert urllib.parse.unquote(browser.current_url.split("#")[1]) == "compute MESH --field x"
 
@@ -255,8 +309,14 @@ def test_examples_and_phone():
         browser.execute_script("arguments[0].click()", button)
         name = button.get_attribute("data-example")
         wait_until(lambda: name in browser.find_element(By.ID, "mesh").text, name)  # noqa: B023
-        wait_for_result()
+        assert not browser.execute_script("return window.reebGraphWeb.isBusy()")
+        press("Lines inside, with radii" if name == "neuron.off" else "A page to look at, and to send")
         assert result()["code"] == 0
+        wait_until(lambda: not shown("not_drawn"), "the picture is not drawn")
+        assert browser.execute_script("""
+            const {documentElement: inside} = document.getElementById("page").contentDocument;
+            return inside.scrollHeight <= inside.clientHeight;"""), "the frame scrolls"
+    assert b"tortuosity" in result()["files"]["branches.csv"].splitlines()[0]
     assert browser.execute_script("return document.documentElement.scrollWidth <= innerWidth")
     browser.set_window_size(1300, 900)
 
@@ -266,7 +326,8 @@ assert page.stat().st_size <= 4e6, f"{page.stat().st_size} bytes"
 # Chromium can stop answering: what it was at is then done again by a fresh one, but once only.
 RemoteConnection.set_timeout(120)
 is_fresh_one_left = True
-tests = [test_result, test_command_line, test_drop_and_broken_file, test_cancel, test_address, test_examples_and_phone]
+tests = [test_result, test_command_line, test_drop_and_broken_file, test_field_of_your_own, test_repair, test_cancel,
+         test_address, test_examples_and_phone]
 tests += [functools.partial(test_wishes, name) for name in ("figure.off", "figure.ply", "figure.stl", "genus_3.off")]
 for test in tests:
     while True:
