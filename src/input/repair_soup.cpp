@@ -219,6 +219,11 @@ private:
         stitch();
       if(options_.are_faces_triangulated && triangulate_faces(soup_))
         throw std::runtime_error("a face cannot be cut into triangles");
+      if(options_.are_faces_oriented) // before faces are paired across gaps outside
+      {
+        orient();
+        turn_solids();
+      }
       if(options_.is_split)
         add_points(split_at_pairs(soup_, pair_faces(soup_), result_.counts));
       if(options_.are_faces_oriented)

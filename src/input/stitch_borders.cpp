@@ -140,23 +140,33 @@ void count_points_on_edges(const Polygon_soup& soup, const std::vector<Corner>& 
 {
   if(border_points.empty() || !(result.largest_distance > 0))
     return;
-  const std::vector<Corner> joined = join_close_points(soup.points, border_points, result.largest_distance);
+  const auto join = [](const Polygons& polygons, const std::vector<Corner>& joined, const auto& is_meant) {
+    Polygons others;
+    std::vector<Corner> corners, sorted;
+    for(std::size_t i = 0; i < polygons.size(); ++i)
+    {
+      corners.clear();
+      for(const Corner v : polygons[i])
+        corners.push_back(joined[v]);
+      if(is_meant(polygons[i])
+         && !find_repeated_vertex(Polygons::Polygon(corners.data(), corners.data() + corners.size()), sorted))
+        others.add(corners);
+    }
+    return others;
+  };
   std::vector<char> is_on_border(soup.points.size(), 0);
   for(const Corner v : border_points)
     is_on_border[v] = 1;
-  Polygons beside; // the polygons with a side that may be one of a border
-  std::vector<Corner> corners, sorted;
-  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
-  {
-    const Polygons::Polygon polygon = soup.polygons[i];
-    if(std::count_if(polygon.begin(), polygon.end(), [&](Corner v) { return is_on_border[v] != 0; }) < 2)
-      continue;
-    corners.clear();
-    for(const Corner v : polygon)
-      corners.push_back(joined[v]);
-    if(!find_repeated_vertex(Polygons::Polygon(corners.data(), corners.data() + corners.size()), sorted))
-      beside.add(corners);
-  }
+  // What coincides is joined first: few borders are left then, if faces have corners of their own.
+  Polygons beside =
+    join(soup.polygons, join_close_points(soup.points, border_points, 0), [&](const Polygons::Polygon& polygon) {
+      return std::count_if(polygon.begin(), polygon.end(), [&](Corner v) { return is_on_border[v] != 0; }) > 1;
+    });
+  const std::vector<Corner> left = reeb_graph_program::border_points(beside);
+  if(left.empty())
+    return;
+  beside = join(beside, join_close_points(soup.points, left, result.largest_distance),
+                [](const Polygons::Polygon&) { return true; });
   long double largest = 0;
   std::vector<Corner> found;
   for(const Junction& junction : find_junctions(soup.points, beside, result.largest_distance))

@@ -357,6 +357,13 @@ void test_boxes()
           && at_edge.counts.result.components == 1 && at_edge.counts.result.euler_characteristic() == 2
           && std::abs(signed_volume(beside) - 2) < 1e-12,
         "boxes with a common edge are no solid");
+  Polygon_soup inside_out;
+  add_box(inside_out, {0, 0, 0}, {1, 1, 1}, true);
+  add_box(inside_out, {1, 1, 0}, {2, 2, 1}, true);
+  join_all(inside_out);
+  check(repair_soup(inside_out, all_options()).counts.result.components == 1
+          && std::abs(signed_volume(inside_out) - 2) < 1e-12,
+        "boxes with a common edge are no solid if they are inside out");
   Polygon_soup touching;
   add_box(touching, {0, 0, 0}, {1, 1, 1});
   add_box(touching, {1, 1, 1}, {2, 2, 2});
