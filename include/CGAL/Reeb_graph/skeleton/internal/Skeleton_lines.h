@@ -136,6 +136,35 @@ public:
     return nodes_.at(line_ends_[line][i == 0 ? 0 : 1]).place();
   }
 
+  // Makes one node of two at one point that a line without points joins: a branch without length tells nothing. A cycle of two such
+  // lines stays.
+  void join_nodes_at_one_point()
+  {
+    for(Index line = 0; line != lines_.size(); ++line)
+    {
+      auto [from, to] = line_ends_[line];
+      if(!lines_[line].empty() || from == to || nodes_.at(from).point.point != nodes_.at(to).point.point)
+        continue;
+      if(nodes_.at(to).kind != Line_end::JUNCTION)
+        std::swap(from, to);
+      const auto is_beside = [&](Index other) {
+        return lines_[other].empty()
+            && std::minmax(from, to) == std::minmax(line_ends_[other][0], line_ends_[other][1]);
+      };
+      std::size_t number_beside = 0;
+      for(Index other = 0; other != lines_.size(); ++other)
+        number_beside += is_beside(other) ? 1 : 0;
+      if(nodes_.at(to).kind != Line_end::JUNCTION || nodes_.at(from).kind == Line_end::BORDER || number_beside > 1)
+        continue;
+      for(auto& ends : line_ends_)
+        std::replace(ends.begin(), ends.end(), from, to);
+      for(auto& [node, other] : joined_)
+        other = other == from ? to : other;
+      join(from, to);
+      nodes_.erase(from);
+    }
+  }
+
   double least_radius() const { return least_radius_; }
 
   // The tips, as nodes of the graph, that hardly protrude from a ball in which a line of another chain passes the center:

@@ -211,6 +211,7 @@ Component_skeleton make_component_skeleton(Component component,
     const Line_centering centering(graph, chains, tree, lines, options.smooth);
   if(tree.has_area())
     const Line_sampling sampling(chains, tree, lines, spacing_of(component, options));
+  lines.join_nodes_at_one_point();
   inside.certify();
   result.number_of_contractible_loops = inside.number_of_contractible_loops();
   result.number_outside = inside.number_outside();
