@@ -2,8 +2,8 @@
 """The atlas: plain shapes, whose numbers a person knows, in each command of the program and each function of Python.
 
 Without options, it runs the plain column, and of the others a tenth, drawn by the hash of the commit; --all runs all.
---shape, --column and --row, names or patterns such as 'torus*', run what they name only; --list prints names. The program
-is that of the variable REEB_GRAPH_PROGRAM, by default build/reeb_graph, and the package that of PYTHONPATH.
+--shape, --column and --row, names or patterns such as 'torus*', run what they name only. REEB_GRAPH_PROGRAM is the
+program, by default build/reeb_graph, and PYTHONPATH leads to the package.
 """
 
 import argparse
@@ -47,7 +47,6 @@ def write_mesh(path, triangles, points):
 
 class Case:
     """A shape in a column: its file, and if it has to be repaired for that, the file that the other rows read."""
-
     def __init__(self, shape, column, folder):
         how = self.column = COLUMNS[column]
         self.name, self.folder, self.unit = f"{shape}/{column}", folder, how.unit
@@ -57,13 +56,12 @@ class Case:
         self.truths |= zip(("minima", "saddles", "maxima"), truths.get("critical", ()))
         random = np.random.default_rng(number_of(f"{shape} {column}"))
         triangles, points = how.change(*mesh, random)
-        self.raw = self.file = self.path(f"mesh.{how.ending}")
+        self.skeleton, self.raw, self.file = how.skeleton, *2 * [self.path(f"mesh.{how.ending}")]
         write_mesh(self.raw, triangles, points)
         self.repair = [*(self.truths["repair"] or ("--all",)), *how.repair]
         if "--stitch" in self.repair:
             self.repair[self.repair.index("--stitch") + 1] = repr(1e-6 * self.unit)
         self.is_self_repairing = not self.truths["repair"] or self.truths["repair"] == ("--all",)
-        self.skeleton = how.skeleton
         if self.truths["repair"]:
             self.file = self.path("ready.off")
             subprocess.run([PROGRAM, "repair", self.raw, *self.repair, "--output", self.file], capture_output=True)
@@ -79,13 +77,12 @@ class Case:
         level = np.median(heights)
         level += np.diff(np.unique(heights[heights >= level])[:2]).sum() / 2
         self.level = float(level * self.unit)
-        found = measures.topology(self.triangles) | {"area": meshes.area(self.triangles, points)}
-        found |= measures.section(self.triangles, points, heights, level) | {"range": np.ptp(heights)}
+        found = measures.topology(self.triangles) | measures.section(self.triangles, points, heights, level)
         self.has_pants = found["components"] == 1 and found["euler"] < 0
         if found["borders"] == 0:
             found |= measures.critical(self.triangles, heights) | {"volume": meshes.volume(self.triangles, points)}
-        found |= {"values": len(points), "faces": len(self.triangles)}
-        self.measured = found
+        found |= {"area": meshes.area(self.triangles, points), "range": np.ptp(heights)}
+        self.measured = found | {"values": len(points), "faces": len(self.triangles)}
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -93,7 +90,7 @@ class Case:
 def is_right(found, expected, room):
     if isinstance(expected, About):
         return bool(abs(found - expected.value) <= expected.tolerance)
-    if isinstance(expected, float) and not isinstance(expected, bool):
+    if isinstance(expected, float):
         return bool(abs(found - expected) <= room * abs(expected) + 1e-300)
     return bool(found == expected)
 
@@ -106,8 +103,7 @@ class Atlas:
 
     def check(self, key, is_passed, message):
         self.number += 1
-        patterns = [pattern for pattern in KNOWN if fnmatch.fnmatchcase(key, pattern)]
-        for pattern in patterns:
+        for pattern in (patterns := [pattern for pattern in KNOWN if fnmatch.fnmatchcase(key, pattern)]):
             self.known[pattern].append(is_passed)
         if is_passed or patterns:
             return
@@ -117,7 +113,6 @@ class Atlas:
               f"{sys.executable} {__file__} --shape {shape} --column {column} --row {row}", flush=True)
 
     def check_shape(self, shape, case):
-        """Check that the table says what the mesh is."""
         for name in {"area", "volume", "minima", "saddles", "maxima"} & {*case.truths} & {*case.measured}:
             found, truth = case.measured[name], case.truths[name]
             self.check(f"{shape}/plain/table/{name}", is_right(found, truth, 1e-9), f"{found}, not {text_of(truth)}")
@@ -173,12 +168,9 @@ class Atlas:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--all", action="store_true", help="all columns, not only a tenth of them")
-    parser.add_argument("--list", action="store_true", help="print the names of shapes, columns and rows")
     for name in ("shape", "column", "row"):
         parser.add_argument(f"--{name}", default="*", help=f"the name of a {name}, or a pattern")
     options = parser.parse_args()
-    if options.list:
-        return print(*SHAPES, "\n", *COLUMNS, "\n", *ROWS)
     options.columns, options.are_all = fnmatch.filter(COLUMNS, options.column), options.all or options.column != "*"
     git = ["git", "-C", str(Path(__file__).parent), "rev-parse", "HEAD"]
     options.commit = subprocess.run(git, capture_output=True, text=True).stdout.strip()

@@ -11,7 +11,6 @@ TURN *= np.sign(np.linalg.det(TURN))
 
 class Column(NamedTuple):
     """How triangles and points change, and what follows from that."""
-
     change: Callable[..., Any] = lambda triangles, points, random: (triangles, points)
     unit: float = 1
     fine: int = 1
@@ -41,9 +40,6 @@ def cut_at_centers(triangles, points, random):
     corners = [np.stack([triangles[:, i], triangles[:, (i + 1) % 3], centers], axis=1) for i in range(3)]
     return np.concatenate(corners), np.concatenate([points, points[faces].mean(axis=1)])
 
-def scaled(unit):
-    return Column(lambda triangles, points, random: (triangles, points * unit), unit)
-
 def move(triangles, points, random):
     return triangles, points + 1e6 * np.linalg.norm(np.ptp(points, axis=0)) * np.array([0.6, -0.48, 0.64])
 
@@ -51,8 +47,8 @@ COLUMNS = {
     "plain": Column(),
     "rotated": Column(lambda triangles, points, random: (triangles, points @ TURN.T), turn=TURN),
     "renumbered": Column(renumber),
-    "in_large_units": scaled(1e150),
-    "in_small_units": scaled(1e-150),
+    "in_large_units": Column(lambda triangles, points, random: (triangles, points * 1e150), 1e150),
+    "in_small_units": Column(lambda triangles, points, random: (triangles, points * 1e-150), 1e-150),
     "moved": Column(move, exempt=("minima", "saddles", "maxima", "limbs", "values", "faces")),
     "unwelded": Column(ending="stl", exempt=("values", "are_right")),  # as points have other numbers
     "inside_out": Column(lambda triangles, points, random: (triangles[:, ::-1], points)),

@@ -23,7 +23,6 @@ def number_of_groups(pairs):
     return sum(a == parent for a, parent in parents.items())
 
 def topology(triangles):
-    """Return components, borders, the Euler characteristic, and the sum of genera of an oriented surface."""
     edges, counts = edges_of(triangles)
     components, borders = number_of_groups(edges), number_of_groups(edges[counts == 1])
     euler = len(np.unique(triangles)) - len(edges) + len(triangles)

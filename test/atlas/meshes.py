@@ -23,7 +23,6 @@ def moved(mesh, by):
     return mesh[0], mesh[1] + by
 
 def welded(triangles, points):
-    """Make points that coincide one."""
     points, numbers = np.unique(np.round(points, 9), axis=0, return_inverse=True)
     return numbers.reshape(-1)[triangles], points
 
@@ -51,10 +50,7 @@ def blocks(solid, fine=1):
     return split(np.concatenate([numbers[:, [0, 1, 2]], numbers[:, [0, 2, 3]]]), points.astype(float), fine - 1)
 
 def tube(line, radii, corners, closed=False):
-    """Return a tube around a line with these radii, whose ends are points where the radius is 0, and open elsewhere.
-
-    With `closed`, the line returns to its first point, which is not repeated, in a plane.
-    """
+    """Return a tube around a line, which `closed` leads back to its first point; where the radius is 0, it is a point."""
     line, radii = np.asarray(line, dtype=float), np.broadcast_to(radii, len(line))
     moves = line - np.roll(line, 1, axis=0)
     moves = np.where(np.linalg.norm(moves, axis=1, keepdims=True) > 0, moves, np.roll(moves, -1, axis=0))

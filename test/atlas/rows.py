@@ -19,11 +19,9 @@ import measures
 import meshes
 
 warnings.simplefilter("ignore", UserWarning)  # what files say of themselves
-
 PROGRAM = os.environ.get("REEB_GRAPH_PROGRAM", str(Path(__file__).parents[2] / "build" / "reeb_graph"))
 POWERS = {"area": 2, "length": 1, "handle": 1, "tunnel": 1, "radius": 1, "thickest": 1, "range": 1}
 POWERS |= {"contour_length": 1, "spread": 1}
-
 # How much may change where what is computed is no exact number of the shape, as a share.
 ROOMS = {"skeleton": 0.05, "py_skeleton": 0.05, "handles": 0.03, "py_handles": 0.03}
 # What holds for each shape, beside that what begins with is_ or are_ is true.
@@ -53,8 +51,6 @@ def largest(values):
 def length(case, lines):
     """Return the sum of the lengths of lines, whose squares need not have a place in numbers."""
     return sum(np.linalg.norm(np.diff(line / case.unit, axis=0), axis=1).sum() for line in lines) * case.unit
-
-# ---- the commands of the program
 
 def repair(case):
     found = run("repair", case.raw, *case.repair, "--output", case.path("repaired.off"))
@@ -110,8 +106,6 @@ def demo(case):
         return {}
     subprocess.run([PROGRAM, "demo", "--out", case.path("demo")], check=True, capture_output=True)
     return {"has_a_surface": measures.topology(read_off(case.path("demo/surface.off"))[0])["components"] == 1}
-
-# ---- the functions of Python
 
 def py_read(case):
     """A file, and a mesh of another package, which is repaired to itself."""
@@ -170,8 +164,6 @@ def py_skeleton(case):
     allowed = 0.75 * np.maximum(lines.radii[lines.edges].max(axis=1) / case.unit, case.size / 100)
     result = {name: lines.counts[name] for name in ("ends", "loops", "junctions", *CERTIFICATE) if name in case.truths or name in RULES}
     return result | {"length": steps.sum() * case.unit, "long_steps": int((steps > allowed).sum())}
-
-# ---- what both cut
 
 def cut_by_program(case, kind):
     options = {"levels": (*height(case), "--level", repr(case.level)), "disks": ()}.get(kind, (*height(case), "--cut-open"))

@@ -58,19 +58,16 @@ def ball(radius, fine, stretch=1.0):
     line = np.stack([0 * angles, 0 * angles, -radius * stretch * cos(angles)], axis=1)
     radii = radius * sin(angles) * (np.arange(8 * fine + 1) % (8 * fine) > 0)
     return tube(line, radii, 16 * fine)
-@plain()
-def sphere(fine):
-    return ball(2, fine), dict(area=about(4 * pi * 4), volume=about(4 / 3 * pi * 8), critical=(1, 0, 1))
-@plain()
-def ellipsoid(fine):
-    c, e = 4, sqrt(1 - 1 / 16)
-    truths = dict(area=about(2 * pi * (1 + c / e * np.arcsin(e))), volume=about(4 / 3 * pi * c), critical=(1, 0, 1))
-    return ball(1, fine, c), dict(truths, limbs=2, ends=2, length=about(2 * c, 0.1))
+@plain(1, 4)
+def spheroid(fine, c):
+    e = sqrt(1 - 1 / c**2)
+    truths = dict(area=about(2 * pi * (1 + c * (np.arcsin(e) / e if e else 1))), volume=about(4 / 3 * pi * c), critical=(1, 0, 1))
+    return ball(1, fine, c), truths | (dict(limbs=2, ends=2, length=about(2 * c, 0.1)) if c > 1 else {})
 @plain()
 def cone(fine):
     r, h, n = 2, 6, 8 * fine
-    radii = np.array([0, *(r * (1 - np.arange(n + 1) / n))])
-    line = np.outer([0, *(h * np.arange(n + 1) / n)], [0, 0, 1])
+    z = h * np.arange(n + 1) / n
+    radii, line = np.array([0, *(r * (1 - z / h))]), np.outer([0, *z], [0, 0, 1])
     truths = dict(area=about(pi * r * (r + sqrt(r * r + h * h))), volume=about(pi * r * r * h / 3), critical=(1, 0, 1))
     return tube(line, radii, 16 * fine), dict(truths, limbs=2, ends=2, length=about(h, by=0.3 * r))
 
@@ -149,8 +146,7 @@ def plate_with_holes(fine, holes):
     a, b = map(int, holes.split("x"))
     solid = np.ones((2 * a + 1, 2 * b + 1, 1))
     solid[1::2, 1::2] = 0
-    flat = float(solid.sum())
-    around = 2 * (2 * a + 1 + 2 * b + 1) + 4 * a * b
+    flat, around = float(solid.sum()), 2 * (2 * a + 1 + 2 * b + 1) + 4 * a * b
     return blocks(solid, fine + 1), dict(genus=a * b, area=2 * flat + around, volume=flat)
 @plain()
 def cube_frame(fine):
@@ -228,6 +224,5 @@ def moebius_band(fine):
     u, v = 2 * pi * i / n, 0.8 * (j / m - 0.5)
     points = np.stack([(2 + v * cos(u / 2)) * cos(u), (2 + v * cos(u / 2)) * sin(u), v * sin(u / 2)], axis=1)
     corner = (np.arange(n)[:, None] * (m + 1) + np.arange(m)).ravel()
-    a, b, c, d = corner, corner + 1, corner + m + 2, corner + m + 1
-    triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    triangles = np.concatenate([np.stack([corner, corner + a, corner + b], 1) for a, b in ((1, m + 2), (m + 2, m + 1))])
     return welded(triangles, points), dict(genus=None, borders=1, area=about(2 * pi * 2 * 0.8), repair=("--all",))
