@@ -55,11 +55,7 @@ protected:
     return beads_.size() - 1;
   }
 
-  Bead_lines(const Sampled_graph& graph,
-             const Graph_chains& chains,
-             const Surface_tree& tree,
-             Skeleton_lines& lines,
-             double smooth)
+  Bead_lines(const Graph_chains& chains, const Surface_tree& tree, Skeleton_lines& lines, double smooth)
     : Bead_ways(tree),
       smooth_(smooth),
       least_depth_(lines.least_radius())

@@ -33,7 +33,7 @@ public:
                  const Surface_tree& tree,
                  Skeleton_lines& lines,
                  double smooth)
-    : Bead_lines(graph, chains, tree, lines, smooth)
+    : Bead_lines(chains, tree, lines, smooth)
   {
     run();
     write(lines, graph.number_of_nodes());
