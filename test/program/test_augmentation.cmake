@@ -109,7 +109,7 @@ string(JSON contours GET "${output}" contours)
 expect_equal("${contours}" "1")
 expect_error("--parametrize goes with --t only" contour ${tetrahedron} --level 0.5 --parametrize z.txt ${output_option})
 expect_error("--parametrize takes a file" contour ${tetrahedron} --t 0.5 --parametrize - ${output_option})
-expect_error("missing.txt: the file cannot be read" contour ${tetrahedron} --t 0.5 --parametrize missing.txt
+expect_error("missing.txt: there is no such file" contour ${tetrahedron} --t 0.5 --parametrize missing.txt
              ${output_option})
 expect_error("constant.txt.*4" contour triangles.off --field z --t 0.5 --parametrize constant.txt ${output_option})
 file(WRITE ${FOLDER}/z.csv "0\n0.25\n0.5\n1\n")
