@@ -568,6 +568,7 @@ py::object skeleton(const Mesh_arrays& arrays,
     {"loops", known.number_of_loops},
     {"hidden_handles", known.number_of_hidden_handles},
     {"contractible_loops", known.number_of_contractible_loops},
+    {"loop_index", known.loop_index},
     {"vertices_outside", known.number_of_vertices_outside},
     {"crossing_edges", known.number_of_crossing_edges},
     {"self_intersecting_components", known.number_of_crossing_components}};

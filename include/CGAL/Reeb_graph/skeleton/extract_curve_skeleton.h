@@ -149,6 +149,7 @@ void add_component(const Reading& reading,
   certificate.genus += part.genus;
   certificate.number_of_hidden_handles += part.genus - part.number_of_loops;
   certificate.number_of_contractible_loops += part.number_of_contractible_loops;
+  certificate.loop_index *= part.loop_index;
   certificate.number_of_vertices_outside += part.number_outside;
   certificate.number_of_crossing_edges += part.number_of_crossings;
   certificate.number_of_crossing_components += part.is_self_intersecting ? 1 : 0;

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Loop_linking.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
@@ -19,7 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,12 +37,14 @@ public:
                const Surface_tree& tree,
                Skeleton_lines& lines,
                double sampling_ratio,
-               bool is_self_intersecting)
+               bool is_self_intersecting,
+               const Stage_progress& progress)
     : graph_(graph),
       chains_(chains),
       tree_(tree),
       lines_(lines),
       sampling_ratio_(sampling_ratio),
+      progress_(progress),
       loops_(lines.ends())
   {
     for(auto& [index, node] : lines.nodes())
@@ -49,6 +52,7 @@ public:
         bring_inside(node.point);
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
     {
+      progress_.part(0, 0.2).report_step(chain, lines.lines().size());
       Skeleton_lines::Line& line = lines.lines()[chain];
       Skeleton_lines::Line inside;
       for(Line_point& point : line)
@@ -58,18 +62,23 @@ public:
       refine(chain);
     }
     let_loops_wind(is_self_intersecting);
+    places_along_.clear();
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
+    {
+      progress_.part(0.9, 1).report_step(chain, lines.lines().size());
       thin(chain);
+    }
   }
 
   // Measures how far the lines are from the surface, and counts what is wrong with them, as they are now.
-  void certify()
+  void certify(const Stage_progress& progress)
   {
     for(auto& [index, node] : lines_.nodes())
       if(node.kind != Line_end::TIP)
         measure(node.point, node.kind == Line_end::JUNCTION);
     for(Index line = 0; line != lines_.lines().size(); ++line)
     {
+      progress.part(0, 0.8).report_step(line, lines_.lines().size());
       auto& points = lines_.lines()[line];
       for(Line_point& point : points)
         measure(point, true);
@@ -92,13 +101,12 @@ public:
         lines.push_back(polyline(line));
       }
     const Loop_linking loops(ends);
-    number_of_contractible_loops_ = Loop_linking::number_of_dependent(loops.linking_numbers(lines, polygons_));
+    loop_group_ = Loop_group(loops.linking_numbers(loops.crossings(lines, curves_, progress.part(0.8, 1))));
   }
 
   std::size_t number_outside() const { return number_outside_; }
   std::size_t number_of_crossings() const { return number_of_crossings_; }
-  // The loops that can be pulled to a point in the solid, or depend on others there.
-  std::size_t number_of_contractible_loops() const { return number_of_contractible_loops_; }
+  const Loop_group& certified_loops() const { return loop_group_; }
 
 private:
   struct Place
@@ -152,83 +160,143 @@ private:
     return place;
   }
 
-  // Looks whether loops wind around the holes of the surface, and leads those that do not along it, nearer to it where that is
-  // needed. Chains on loops that meet those are led so, too, as all ends are moved. A loop of the graph can be one around
-  // which contours wind, as in a thick pipe that fronts pass around before they pass along: then it goes around one of them.
+  // Looks whether the loops are a basis of those of the solid, and leads all of them along the surface if not, nearer to it where
+  // that is needed.
   void let_loops_wind(bool is_self_intersecting)
   {
     if(loops_.cycles().empty())
       return;
-    const Loop_tracing tracing(graph_, chains_, tree_);
     for(const Index chain : loops_.closing_chains())
-      polygons_.push_back(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
-    const auto rows = loops_.linking_numbers(polylines(), polygons_);
-    if(loops_.number_of_dependent(rows) == 0)
+      curves_.add(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
+    const Ways lines(chains_.chains().size());
+    if(loop_group(lines).is_whole())
       return;
-    std::vector<bool> is_bad = loops_.chains_of_bad_cycles(rows), is_wound(is_bad.size(), false);
-    for(const Loop_linking::Cycle& cycle : loops_.cycles())
-      polygons_.push_back(tracing.curve(cycle));
-    const auto count = [&](double share) {
-      trace_all(tracing, is_bad, is_wound, share);
-      return loops_.number_of_dependent(loops_.linking_numbers(polylines(), polygons_));
-    };
-    const double least_share = 1e-6;
-    const auto nodes_before = lines_.nodes();
-    const auto lines_before = lines_.lines();
-    if(count(1) == 0)
+    const Loop_tracing tracing(graph_, chains_, tree_);
+    add_curves_along_cycles(tracing);
+    const Loop_group before = loop_group(lines);
+    if(before.is_whole())
       return;
+    std::vector<int> windings(lines.size(), 0);
+    Ways ways = ways_along(tracing, windings, 1);
+    const Loop_group traced = loop_group(ways);
     if(is_self_intersecting)
     {
-      lines_.nodes() = nodes_before;
-      lines_.lines() = lines_before;
+      if(traced < before)
+        lead_along(ways);
       return;
     }
-    std::size_t least = count(least_share);
-    // All lines are traced in each trial: there are few where there are many handles.
-    std::size_t trials = 200 / loops_.cycles().size();
-    for(Index chain = 0; chain != is_bad.size() && least != 0 && trials != 0; ++chain)
+    if(!traced.is_whole())
+    {
+      windings = find_windings(tracing);
+      const Loop_group least = loop_group(ways_along(tracing, windings, least_share));
+      double share = 1;
+      for(ways = ways_along(tracing, windings, share); share > least_share && least < loop_group(ways);)
+        ways = ways_along(tracing, windings, share /= 100);
+    }
+    lead_along(ways);
+  }
+
+  // Together with the contours, these curves are a basis of all on the surface.
+  void add_curves_along_cycles(const Loop_tracing& tracing)
+  {
+    for(Index chain = 0; chain != chains_.chains().size(); ++chain)
     {
       if(!loops_.is_on_cycle(chain))
         continue;
-      --trials;
-      is_bad = loops_.chains_on_cycles();
-      is_wound[chain] = true;
-      const std::size_t number = count(least_share);
-      is_wound[chain] = number < least;
-      least = (std::min)(number, least);
+      curves_.polygons.push_back(tracing.curve(chain));
+      curves_.curves_of.push_back(loops_.cycles_of(chain));
+      for(auto& [curve, direction] : curves_.curves_of.back())
+        curve += static_cast<Index>(loops_.cycles().size());
     }
-    double share = 1;
-    while(count(share) > least && share > least_share)
-      share /= 100;
   }
 
-  void trace_all(const Loop_tracing& tracing,
-                 const std::vector<bool>& is_bad,
-                 const std::vector<bool>& is_wound,
-                 double share)
+  // How often chains have to wind around contours. A loop of the graph can be one around which contours wind, as in a thick pipe
+  // that fronts pass around before they pass along. Where loops depend on others, modulo a prime number or at all, each of them
+  // winds once around the contour of its closing chain, and then they do not: curves on the surface that bound inside cross
+  // each other as often to one side as to the other, so that, as a matrix, dependences are the same by rows and by columns.
+  // By another prime number, they can be dependent then: windings are taken only where there is less of that.
+  std::vector<int> find_windings(const Loop_tracing& tracing)
   {
-    for(Index chain = 0; chain != is_bad.size(); ++chain)
-      if(is_bad[chain])
-        for(const Index end : chains_.chains()[chain].ends)
+    std::vector<int> windings(chains_.chains().size(), 1);
+    const std::vector<Row> wound = crossings(ways_along(tracing, windings, least_share));
+    windings.assign(windings.size(), 0);
+    const std::vector<Row> unwound = crossings(ways_along(tracing, windings, least_share));
+    std::vector<Row> rows = unwound;
+    Loop_group least(loops_.linking_numbers(rows));
+    for(int direction = 1; direction != 0 && !least.is_whole();)
+    {
+      std::vector<Row> trial = rows;
+      const auto dependent = Generated_group().add_all(loops_.linking_numbers(rows), least.modulus());
+      for(const std::size_t cycle : dependent)
+      {
+        const Index chain = loops_.closing_chains()[cycle];
+        add_multiple(trial[chain], wound[chain], direction);
+        add_multiple(trial[chain], unwound[chain], -direction);
+      }
+      const Loop_group group(loops_.linking_numbers(trial));
+      if(!(group < least))
+      {
+        direction = direction == 1 ? -1 : 0;
+        continue;
+      }
+      for(const std::size_t cycle : dependent)
+        windings[loops_.closing_chains()[cycle]] += direction;
+      rows = std::move(trial);
+      least = group;
+      direction = 1;
+    }
+    return windings;
+  }
+
+  typedef std::vector<std::vector<Point>> Ways; // by chain
+
+  // For all chains on loops, in a share of the depth that they could have. What is found beneath paths is kept for other depths.
+  Ways ways_along(const Loop_tracing& tracing, const std::vector<int>& windings, double share)
+  {
+    Ways ways(windings.size());
+    for(Index chain = 0; chain != windings.size(); ++chain)
+    {
+      progress_.part(0.2, 0.9).report_step(chain, windings.size());
+      if(!loops_.is_on_cycle(chain))
+        continue;
+      const auto [places, is_new] = places_along_.try_emplace({chain, windings[chain]});
+      if(is_new)
+      {
+        const Loop_tracing::Path path = tracing.path(chain, windings[chain]);
+        places->second = tree_.places_along(path.begin, path.steps);
+      }
+      ways[chain] = tree_.way_along(places->second, share, sampling_ratio_);
+    }
+    return ways;
+  }
+
+  void lead_along(const Ways& ways)
+  {
+    for(Index chain = 0; chain != ways.size(); ++chain)
+      if(!ways[chain].empty())
+        for(const int k : {0, 1})
         {
+          const Index end = chains_.chains()[chain].ends[k];
           Line_point& point = lines_.nodes().at(end).point;
           point.on_surface = graph_.point(end);
-          point.point = tree_.place_beneath(tracing.face_of(end), share);
+          point.point = k == 0 ? ways[chain].front() : ways[chain].back();
         }
-    for(Index chain = 0; chain != is_bad.size(); ++chain)
-      if(is_bad[chain])
-        trace(chain, tracing.path(chain, is_wound[chain]), share);
-      else
+    for(Index chain = 0; chain != ways.size(); ++chain)
+      if(ways[chain].empty())
         refine(chain);
+      else
+        set_line(chain, ways[chain]);
   }
 
-  std::vector<std::vector<Point>> polylines() const
+  // Where there is no way, it is the line.
+  std::vector<Row> crossings(Ways ways) const
   {
-    std::vector<std::vector<Point>> result;
-    for(Index chain = 0; chain != chains_.chains().size(); ++chain)
-      result.push_back(polyline(chain));
-    return result;
+    for(Index chain = 0; chain != ways.size(); ++chain)
+      if(ways[chain].empty() && loops_.is_on_cycle(chain))
+        ways[chain] = polyline(chain);
+    return loops_.crossings(ways, curves_, progress_.part(0.2, 0.9));
   }
+  Loop_group loop_group(const Ways& ways) const { return Loop_group(loops_.linking_numbers(crossings(ways))); }
 
   std::vector<Point> polyline(Index line) const
   {
@@ -238,11 +306,8 @@ private:
     return result;
   }
 
-  void trace(Index chain, const Loop_tracing::Path& path, double share)
+  void set_line(Index chain, const std::vector<Point>& way)
   {
-    const std::vector<Point> way = tree_.way_along(path.begin, path.steps, share, sampling_ratio_);
-    if(way.empty())
-      return refine(chain);
     std::vector<double> lengths = {0};
     for(std::size_t i = 1; i != way.size(); ++i)
       lengths.push_back(lengths.back() + distance(way[i - 1], way[i]));
@@ -338,15 +403,19 @@ private:
   }
 
   static constexpr int greatest_depth = 4;
+  static constexpr double least_share = 1e-6; // of the depth, at which lines are right beneath the surface
 
   const Sampled_graph& graph_;
   const Graph_chains& chains_;
   const Surface_tree& tree_;
   Skeleton_lines& lines_;
   const double sampling_ratio_;
+  const Stage_progress progress_;
   const Loop_linking loops_;
-  std::vector<Loop_linking::Line> polygons_; // around which loops are to wind
-  std::size_t number_outside_ = 0, number_of_crossings_ = 0, number_of_contractible_loops_ = 0;
+  Surface_curves curves_; // around which loops are to wind
+  std::map<std::pair<Index, int>, std::vector<Surface_tree::Sunk_place>> places_along_; // by chain and windings
+  Loop_group loop_group_{{}};
+  std::size_t number_outside_ = 0, number_of_crossings_ = 0;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

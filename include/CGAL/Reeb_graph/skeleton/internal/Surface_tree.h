@@ -216,23 +216,39 @@ public:
     const Mesh::Face_index begin = add_foot(from, way);
     std::vector<Sunk_place> end = {{to, NULL_VECTOR, 0}};
     const Mesh::Face_index last = add_foot(to, end);
-    add_path(begin, path_of_faces(begin, last), 1, way);
+    add_path(begin, path_of_faces(begin, last), way);
     way.insert(way.end(), end.rbegin(), end.rend());
     return raise_until_free(way) ? shortened(way) : std::vector<Point>();
   }
 
-  // A way from beneath a face to beneath another one along a path of faces, in `share` of the depth that it could have. Points
-  // nearer to each other than a share of that are left out if the surface is not met by the triangles that the way then
-  // sweeps. It is empty if there is none.
-  std::vector<Point> way_along(Mesh::Face_index begin,
-                               const std::vector<Mesh::Halfedge_index>& path,
-                               double share,
-                               double ratio) const
+  // A place of a way, which can be brought nearer to the surface.
+  struct Sunk_place
   {
-    std::vector<Sunk_place> way;
-    add_path(begin, path, share, way);
+    Surface_place place;
+    Vector inwards; // of length 1, or null if the place is to stay
+    double depth;
+    Point foot = place.point; // from which the depth is measured
+  };
+
+  // The places beneath a path of faces: in the middle between it and what is seen from there.
+  std::vector<Sunk_place> places_along(Mesh::Face_index begin, const std::vector<Mesh::Halfedge_index>& path) const
+  {
+    std::vector<Sunk_place> places;
+    add_path(begin, path, places);
+    return places;
+  }
+
+  // A way through such places, in a share of their depth. Points nearer to each other than a share of that are left out if the
+  // surface is not met by the triangles that the way then sweeps. It is empty if there is none.
+  std::vector<Point> way_along(std::vector<Sunk_place> way, double share, double ratio) const
+  {
     if(way.empty())
       return {};
+    for(Sunk_place& sunk : way)
+    {
+      sunk.place.point = sunk.foot + share * (sunk.place.point - sunk.foot);
+      sunk.depth *= share;
+    }
     way.insert(way.begin(), way.front());
     way.push_back(way.back());
     way.front().inwards = way.back().inwards = NULL_VECTOR; // They stay.
@@ -247,14 +263,6 @@ public:
     }
     result.push_back(way.back().place.point);
     return result;
-  }
-
-  // A place beneath a face, in such a depth.
-  Point place_beneath(Mesh::Face_index f, double share) const
-  {
-    std::vector<Sunk_place> way;
-    add_path(f, {}, share, way);
-    return way.empty() ? center(f) : way.front().place.point;
   }
 
   // The largest face at a vertex.
@@ -347,14 +355,6 @@ private:
     bool is_odd_ = false, is_on_surface_ = false;
   };
 
-  // A place of a way, which can be brought nearer to the surface.
-  struct Sunk_place
-  {
-    Surface_place place;
-    Vector inwards; // of length 1, or null if the place is to stay
-    double depth;
-  };
-
   bool has_corner(Mesh::Face_index f, Mesh::Vertex_index v) const
   {
     const auto h = mesh_.halfedge(f);
@@ -444,23 +444,19 @@ private:
   {
     const auto middle = middle_of_chord(p, inwards, [&](auto face) { return face == f || face == g; });
     const double depth = middle ? distance(p, *middle) : 1e-6 * size_;
-    return {{p + depth * inwards, std::nullopt}, inwards, depth};
+    return {{p + depth * inwards, std::nullopt}, inwards, depth, p};
   }
 
   // Places beneath the centers of faces and the edges between them.
   void add_path(Mesh::Face_index begin,
                 const std::vector<Mesh::Halfedge_index>& path,
-                double share,
                 std::vector<Sunk_place>& way) const
   {
     const auto add = [&](const Point& p, const Vector& inwards, Mesh::Face_index f, Mesh::Face_index g) {
       const double size = length(inwards);
       if(!(size > 0))
         return; // Faces without area have no side.
-      Sunk_place added = sunk(p, inwards / size, f, g);
-      added.place.point = p + share * (added.place.point - p);
-      added.depth *= share;
-      way.push_back(added);
+      way.push_back(sunk(p, inwards / size, f, g));
     };
     add(center(begin), inward_normal(begin), begin, begin);
     for(const auto h : path)
