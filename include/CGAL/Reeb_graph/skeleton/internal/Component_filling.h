@@ -253,7 +253,7 @@ private:
   std::vector<Polygon> polygons_;
 };
 
-// Makes the components of a checked surface, in the order of their first vertices. Vertices without faces are in none.
+// Makes the components of a checked surface, in the order of their least points. Vertices without faces are in none.
 // Vertices, edges and faces are in an order that only the points decide, as long as no two are the same.
 template <class Complex>
 class Component_filling
@@ -315,6 +315,11 @@ private:
     for(const Vertex_index v : complex_.vertices())
       if(component_of_[v] != no_index)
         given_[component_of_[v]].push_back(v.number());
+    const auto is_less = [&](Index u, Index v) { return points_[Vertex_index(u)] < points_[Vertex_index(v)]; };
+    for(std::vector<Index>& given : given_) // the least point first
+      std::iter_swap(given.begin(), std::min_element(given.begin(), given.end(), is_less));
+    std::stable_sort(given_.begin(), given_.end(),
+                     [&](const auto& a, const auto& b) { return is_less(a.front(), b.front()); });
   }
 
   // Adds the given vertices, multiplied by a power of two: nothing is rounded, and no product of three coordinates overflows.
