@@ -301,9 +301,13 @@ void add_skeleton_places(CLI::App& command, Skeleton_command_options& options)
             "The roots of SWC's trees: a tip of each, the thickest point, which has type 1 in the largest tree, or, of "
             "one tree, that of a vertex of the mesh"))
     ->type_name("tip|thickest|VERTEX");
-  add_choice(command, "--radius", options.are_radii_inscribed, Choices<bool>{{"area", false}, {"inscribed", true}},
+  add_choice(command, "--radius", options.swc.are_radii_inscribed, Choices<bool>{{"area", false}, {"inscribed", true}},
              "The radii of SWC: those of circles with the area of contours (area, the default), or the distance from "
-             "the surface (inscribed)");
+             "the surface (inscribed); where one is 0, as at tips, it is that of a point beside it");
+  add_whole_number(command, "--swc-type", options.swc.type,
+                   "The type of SWC's points but for the soma, from 2 on: 2 axon, 3 dendrite (the default), 4 apical "
+                   "dendrite; programs refuse 0",
+                   {Swc_options::least_type});
 }
 
 void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)

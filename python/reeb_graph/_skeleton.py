@@ -34,11 +34,12 @@ class Skeleton:
     counts : dict from str to int
         Components, genus, arcs, ends, junctions, loops and hidden handles, and what certifies the lines: vertices outside
         of the surface, edges that cross it, loops that can be pulled to a point inside, and components that intersect
-        themselves.
+        themselves, or are inside out.
     branches : dict from str to arrays with a number for each arc
         Its `component`, `parent` (-1 at a root), `from` and `to`, `length`, `tortuosity` (NaN if it is closed),
-        `strahler`, `radius` and `inscribed_radius` as means by length, `least_radius`, `greatest_radius`, `volume`, and
-        `area` of the surface. Parents and Strahler numbers are those of the trees of an SWC file.
+        `strahler`, `radius` and `inscribed_radius` as means by length, `least_radius`, `greatest_radius`, `volume` and
+        `area`, which add up to those of the solid and of the surface, and `junction_volume` and `junction_area`, what of
+        these lies in junctions. Parents and Strahler numbers are those of the trees of an SWC file.
     point_in_junction, edge_in_junction : (n,) and (m,) arrays of bool
     face_branches : (number of triangles,) array of int, or None if a copy has been repaired
         The arc around which each triangle lies.
@@ -82,15 +83,41 @@ class Skeleton:
                 graph.add_edge(a, b, arc=number, length=math.dist(self.points[a], self.points[b]))
         return graph
 
-    def write(self, *files: str | os.PathLike[str]) -> None:
+    def write(
+        self, *files: str | os.PathLike[str], root: str | int = "tip", radius: str = "area", swc_type: int = 3
+    ) -> None:
         """Write the skeleton to files: `.swc`, `.vtp`, `.polylines.txt`, `.graphml`, or `.csv`, which has `branches`.
 
-        In SWC, a loop is cut once: a comment `# CYCLE_BREAK reconnect DUPLICATE ORIGINAL` names the copy of a point.
+        In SWC, a loop is cut once: a comment `# CYCLE_BREAK reconnect DUPLICATE ORIGINAL` names the copy of a point. No
+        radius there is 0: it is that of a point beside it then.
+
+        Parameters
+        ----------
+        root : "tip", "thickest", or int
+            The roots of the trees: a tip of each, the thickest point, which has the type 1 of a soma in the largest tree,
+            or, of one tree, that of a vertex of the mesh.
+        radius : "area" or "inscribed"
+            The radii of SWC: `radii` or `inscribed_radii`.
+        swc_type : int
+            The type of other points in SWC, from 2 on: 2 axon, 3 dendrite, 4 apical dendrite.
         """
+        place = None if root == "tip" else _core.SkeletonPlace(None if root == "thickest" else self._point_of(root))
+        if radius not in ("area", "inscribed"):
+            raise ValueError("radius has to be 'area' or 'inscribed'")
+        if swc_type < 2:
+            raise ValueError("swc_type has to be at least 2: programs refuse 0, and 1 is that of a soma")
+        options = _core.SwcOptions(radius == "inscribed", swc_type)
+        names = "volume", "area", "junction_volume", "junction_area"
+        sizes = np.column_stack([self.branches[name] for name in names]).tolist()
         for file in files:
             arrays = self.radii.tolist(), self.inscribed_radii.tolist(), [arc.tolist() for arc in self.arcs]
-            arrays = *arrays, self.branches["area"].tolist()
-            _core.write_skeleton(os.fspath(file), np.require(self.points, np.float64, ["C", "ALIGNED"]), *arrays)
+            points = np.require(self.points, np.float64, ["C", "ALIGNED"])
+            _core.write_skeleton(os.fspath(file), points, *arrays, sizes, place, options)
+
+    def _point_of(self, vertex: str | int) -> int:
+        if isinstance(vertex, str) or not 0 <= vertex < len(self.vertex_map) or self.vertex_map[vertex] < 0:
+            raise ValueError(f"{vertex!r} is none of 'tip', 'thickest', and a vertex of the mesh with triangles")
+        return int(self.vertex_map[vertex])
 
     def __repr__(self) -> str:
         size = f"{count(len(self.points), 'point')}, {count(len(self.arcs), 'arc')}"

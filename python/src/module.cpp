@@ -29,13 +29,16 @@
 
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <sstream>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 
@@ -531,6 +534,8 @@ py::dict columns_of(const std::vector<CGAL::Reeb_graph::Skeleton_branch>& branch
   add("inscribed_radius", &Branch::inscribed_radius);
   add("volume", &Branch::volume);
   add("area", &Branch::area);
+  add("junction_volume", &Branch::junction_volume);
+  add("junction_area", &Branch::junction_area);
   return columns;
 }
 
@@ -570,6 +575,7 @@ py::object skeleton(const Mesh_arrays& arrays,
     {"contractible_loops", known.number_of_contractible_loops},
     {"vertices_outside", known.number_of_vertices_outside},
     {"crossing_edges", known.number_of_crossing_edges},
+    {"inside_out_components", result.number_inside_out},
     {"self_intersecting_components", known.number_of_crossing_components}};
   std::vector<Point> points;
   std::vector<double> radii, inscribed_radii;
@@ -592,12 +598,15 @@ py::object skeleton(const Mesh_arrays& arrays,
                         to_object(std::vector<std::int64_t>(are_faces.begin(), are_faces.end())));
 }
 
+// Sizes are the volume, the area, and what of them lies in junctions, of each branch. The root is a point of the skeleton.
 void write_skeleton_file(const std::filesystem::path& path,
                          const Value_array& points,
                          const std::vector<double>& radii,
                          const std::vector<double>& inscribed_radii,
                          const std::vector<Numbers>& arcs,
-                         const std::vector<double>& areas)
+                         const std::vector<std::array<double, 4>>& sizes,
+                         const std::optional<Skeleton_place>& root,
+                         const Swc_options& options)
 {
   Skeleton skeleton;
   std::vector<Point> places(radii.size());
@@ -607,10 +616,15 @@ void write_skeleton_file(const std::filesystem::path& path,
   for(std::size_t arc = 0; arc != arcs.size(); ++arc)
     for(std::size_t i = 1; i != arcs[arc].size(); ++i)
       add_edge(arcs[arc][i - 1], arcs[arc][i], {arc}, skeleton.graph);
-  complete(skeleton);
+  skeleton.vertex_map.resize(radii.size());
+  std::iota(skeleton.vertex_map.begin(), skeleton.vertex_map.end(), std::size_t(0));
+  complete(skeleton, root);
   for(std::size_t arc = 0; arc != arcs.size(); ++arc)
-    skeleton.branches[arc].area = areas.at(arc);
-  write_skeleton(path, skeleton);
+  {
+    auto& branch = skeleton.branches[arc];
+    std::tie(branch.volume, branch.area, branch.junction_volume, branch.junction_area) = std::tuple_cat(sizes.at(arc));
+  }
+  write_skeleton(path, skeleton, options);
 }
 
 void add_functions(py::module_& module)
@@ -663,6 +677,12 @@ void add_functions(py::module_& module)
   module.def("cut_disks", &cut_disks);
   py::class_<Skeleton_settings>(module, "SkeletonSettings").def(py::init<double, double, bool, double, double>());
   module.def("skeleton", &skeleton);
+  py::class_<Swc_options>(module, "SwcOptions").def(py::init([](bool are_radii_inscribed, std::size_t type) {
+    return Swc_options{are_radii_inscribed, type};
+  }));
+  py::class_<Skeleton_place>(module, "SkeletonPlace").def(py::init([](std::optional<std::size_t> point) {
+    return point ? Skeleton_place{Skeleton_place::VERTEX, *point} : Skeleton_place{Skeleton_place::THICKEST};
+  }));
   module.def("write_skeleton", &write_skeleton_file);
 }
 

@@ -91,6 +91,27 @@ def test_files_as_those_of_the_program(tmp_path):
         reeb_graph.skeleton(triangles, points).write(tmp_path / "s.txt")
 
 
+@pytest.mark.parametrize("options", [{"root": "thickest"}, {"root": 7}, {"radius": "inscribed"}, {"swc_type": 5}])
+def test_swc_as_that_of_the_program(tmp_path, options):
+    triangles, points = TUBE
+    points = points.astype(np.float32).astype(float)
+    meshes.write_off(tmp_path / "mesh.off", triangles, points)
+    reeb_graph.skeleton(triangles, points).write(tmp_path / "own.swc", **options)
+    words = [word for name, value in options.items() for word in ("--" + name.replace("_", "-"), str(value))]
+    meshes.run("skeleton", tmp_path / "mesh.off", *words, "--output", tmp_path / "s.swc")
+    assert (tmp_path / "own.swc").read_bytes() == (tmp_path / "s.swc").read_bytes()
+    records = np.loadtxt(tmp_path / "s.swc")
+    other = options.get("swc_type", 3)
+    assert (records[:, 5] > 0).all() and set(records[:, 1]) == ({1, 3} if options.get("root") == "thickest" else {other})
+
+
+@pytest.mark.parametrize("options", [{"root": "tips"}, {"root": -1}, {"root": 10**6}, {"radius": "mean"}, {"swc_type": 0}])
+def test_wrong_options_of_swc(tmp_path, options):
+    with pytest.raises(ValueError):
+        reeb_graph.skeleton(*TORUS).write(tmp_path / "s.swc", **options)
+    assert not (tmp_path / "s.swc").exists()
+
+
 def test_faces_of_a_repaired_copy():
     triangles, points = TORUS
     skeleton = reeb_graph.skeleton(np.vstack([triangles, triangles[:1, ::-1]]), points)
@@ -112,6 +133,13 @@ def test_branches(tmp_path, mesh):
     corners = points[triangles]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
     assert np.isclose(branches["area"].sum(), areas.sum())
+    a, b, c = (corners[:, i] - points.mean(axis=0) for i in range(3))
+    volume = np.einsum("ij,ij->", a, np.cross(b, c)) / 6
+    if skeleton.counts["border_ends"] == 0:
+        assert np.isclose(branches["volume"].sum(), abs(volume), rtol=1e-9)
+        assert skeleton.counts["inside_out_components"] == (1 if volume < 0 else 0)
+    inside = np.bincount(skeleton.face_branches, areas * skeleton.face_in_junction, minlength=len(skeleton.arcs))
+    assert np.allclose(branches["junction_area"], inside)
     sums = np.bincount(skeleton.face_branches, areas, minlength=len(skeleton.arcs))
     assert np.allclose(branches["area"], sums) and skeleton.face_in_junction.shape == (len(triangles),)
     junctions = np.bincount(skeleton.edges.ravel(), minlength=len(skeleton.points)) > 2

@@ -91,7 +91,7 @@ struct Skeleton_command_options : Command_options
 {
   Skeleton_settings settings;
   std::vector<Skeleton_place> from, to; // of paths, which are found if one of both is not empty
-  bool are_radii_inscribed = false;     // of SWC
+  Swc_options swc;
   std::string mesh_path, pieces_path;
 };
 

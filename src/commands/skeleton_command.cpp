@@ -90,7 +90,7 @@ void run_skeleton(const Skeleton_command_options& options)
   Output_group files;
   for(const std::string& path : options.output_paths)
   {
-    write_skeleton(path, report.skeleton, options.are_radii_inscribed);
+    write_skeleton(path, report.skeleton, options.swc);
     note_lost_parts(path, report.skeleton, report.notes);
   }
   if(!options.mesh_path.empty())
@@ -109,6 +109,7 @@ void run_skeleton(const Skeleton_command_options& options)
                                    options.unit, options.up});
   }
   files.put_in_place();
+  note_inside_out(report.skeleton, report.notes);
   note_lost_numbers(report.skeleton, report.notes);
   note_lost_unit(options.unit, !options.page_path.empty(), report.notes);
   if(std::any_of(outputs.begin(), outputs.end(), [](const auto& path) { return !path.empty(); }))

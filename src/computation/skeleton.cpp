@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 #include <CGAL/Reeb_graph/skeleton/find_branch_faces.h>
+#include <CGAL/Reeb_graph/skeleton/measure_branch_faces.h>
 #include <CGAL/Reeb_graph/skeleton/skeleton_paths.h>
 
 #include <boost/graph/connected_components.hpp>
@@ -150,19 +151,11 @@ Skeleton extract_skeleton(const Surface& surface,
   skeleton.face_arcs.resize(surface.num_faces());
   skeleton.are_faces_in_junctions.resize(surface.num_faces());
   const auto face_index_map = get(CGAL::face_index, surface);
-  CGAL::Reeb_graph::find_branch_faces(
-    surface, graph, boost::make_iterator_property_map(skeleton.face_arcs.begin(), face_index_map),
-    boost::make_iterator_property_map(skeleton.are_faces_in_junctions.begin(), face_index_map));
-  for(auto& branch : skeleton.branches)
-    branch.area = 0;
-  for(const Surface::Face_index f : surface.faces())
-  {
-    std::vector<Point> corners;
-    for(const Surface::Vertex_index v : surface.vertices_around_face(surface.halfedge(f)))
-      corners.push_back(surface.point(v));
-    skeleton.branches[skeleton.face_arcs[f]].area +=
-      CGAL::Reeb_graph::internal::area_of(corners[0], corners[1], corners[2]);
-  }
+  const auto arc_map = boost::make_iterator_property_map(skeleton.face_arcs.begin(), face_index_map);
+  const auto junction_map = boost::make_iterator_property_map(skeleton.are_faces_in_junctions.begin(), face_index_map);
+  CGAL::Reeb_graph::find_branch_faces(surface, graph, arc_map, junction_map);
+  skeleton.number_inside_out =
+    CGAL::Reeb_graph::measure_branch_faces(surface, arc_map, junction_map, skeleton.branches);
   return skeleton;
 }
 
@@ -174,6 +167,10 @@ Skeleton_numbers numbers_of(const Skeleton& skeleton)
   for(const auto& branch : skeleton.branches)
   {
     numbers.cable_length += branch.length;
+    numbers.area += branch.area;
+    numbers.volume += branch.volume;
+    numbers.junction_area += branch.junction_area;
+    numbers.junction_volume += branch.junction_volume;
     if(std::isnan(branch.tortuosity))
       continue;
     sum += branch.tortuosity;

@@ -54,6 +54,15 @@ struct Skeleton_settings
   std::optional<Skeleton_place> root = std::nullopt; // of trees
 };
 
+// What can be chosen of SWC: its radii, and the type of what is no soma. Programs refuse the type 0, and 1 is that of a soma.
+struct Swc_options
+{
+  static constexpr std::size_t least_type = 2;
+
+  bool are_radii_inscribed = false;
+  std::size_t type = 3;
+};
+
 // A curve skeleton by numbers.
 struct Skeleton
 {
@@ -70,6 +79,7 @@ struct Skeleton
   std::vector<std::vector<std::size_t>> paths; // that are asked for
   std::vector<Place_of_point> places;          // of the points that they lead from, or to
   CGAL::Reeb_graph::Skeleton_certificate certificate = {};
+  std::size_t number_inside_out = 0; // components
 };
 
 // By contours of a field, or, without any, by distances.
@@ -77,7 +87,7 @@ Skeleton extract_skeleton(const Surface& surface,
                           const std::optional<Scalar_map>& scalar_map,
                           const Skeleton_settings& settings);
 
-// Finds the arcs, the trees, and what is measured of them but for areas.
+// Finds the arcs, the trees, and what is measured of them but for areas and volumes.
 void complete(Skeleton& skeleton, const std::optional<Skeleton_place>& root = std::nullopt);
 
 // The points of the skeleton at a place: for a point, the nearest one. If some are of no use, the first ones come first. Throws
@@ -93,6 +103,7 @@ double length_of_path(const Skeleton& skeleton, const std::vector<std::size_t>& 
 struct Skeleton_numbers
 {
   double cable_length = 0;
+  double area = 0, volume = 0, junction_area = 0, junction_volume = 0;
   std::optional<double> mean_tortuosity; // of arcs that are not closed, if there are any
   std::size_t order = 0;                 // the highest Strahler number
 };

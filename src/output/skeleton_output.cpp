@@ -37,9 +37,45 @@ std::string format_of_skeleton(const std::filesystem::path& path)
   return ending_of(path, "a skeleton", {".swc", ".vtp", ".polylines.txt", ".graphml", ".csv"});
 }
 
-// The type is 1, that of a soma, where the thickest point is the root. Where the inscribed radius is 0, at an end, it is that of the
-// neighbor.
-void write_swc(std::ostream& out, const Skeleton& skeleton, bool are_radii_inscribed)
+// Radii that readers of SWC take, which refuse 0. Where one is 0, as at a tip, it is that of the point with one that is the fewest steps
+// away. Inscribed ones fall back to those of contours where a tree has none, and these, as between two sheets on each other, to
+// half of the mean step.
+std::vector<double> radii_for_swc(const Skeleton& skeleton, bool are_inscribed)
+{
+  const auto& graph = skeleton.graph;
+  std::vector<double> radii(num_vertices(graph), 0);
+  const auto set = [&](const auto& radius_of) {
+    std::vector<std::size_t> queue;
+    for(std::size_t v = 0; v != radii.size(); ++v)
+    {
+      if(!(radii[v] > 0))
+        radii[v] = radius_of(v);
+      if(radii[v] > 0)
+        queue.push_back(v);
+    }
+    for(std::size_t i = 0; i != queue.size(); ++i)
+      for(const auto neighbor : CGAL::make_range(boost::adjacent_vertices(queue[i], graph)))
+        if(!(radii[neighbor] > 0))
+        {
+          radii[neighbor] = radii[queue[i]];
+          queue.push_back(neighbor);
+        }
+  };
+  if(are_inscribed)
+    set([&](std::size_t v) { return graph[v].inscribed_radius; });
+  set([&](std::size_t v) { return graph[v].radius; });
+  set([&](std::size_t v) {
+    double half = 0;
+    for(const auto neighbor : CGAL::make_range(boost::adjacent_vertices(v, graph)))
+      half += CGAL::Reeb_graph::internal::distance_between(graph[v].point, graph[neighbor].point) / 2
+            / static_cast<double>(out_degree(v, graph));
+    return half;
+  });
+  return radii;
+}
+
+// The type is 1, that of a soma, where the thickest point is the root.
+void write_swc(std::ostream& out, const Skeleton& skeleton, const Swc_options& options)
 {
   const CGAL::Reeb_graph::internal::Classic_locale classic_locale(out);
   out.precision(std::numeric_limits<double>::max_digits10);
@@ -48,18 +84,12 @@ void write_swc(std::ostream& out, const Skeleton& skeleton, bool are_radii_inscr
   for(std::size_t i = 0; i != trees.size(); ++i)
     if(trees[i].original != Skeleton::none)
       out << "# CYCLE_BREAK reconnect " << i + 1 << ' ' << trees[i].original + 1 << '\n';
+  const std::vector<double> radii = radii_for_swc(skeleton, options.are_radii_inscribed);
   for(std::size_t i = 0; i != trees.size(); ++i)
   {
-    const auto& point = skeleton.graph[trees[i].vertex];
-    const Point& p = point.point;
-    double radius = point.radius;
-    if(are_radii_inscribed)
-      radius = point.inscribed_radius;
-    if(!(radius > 0))
-      for(const auto neighbor : CGAL::make_range(boost::adjacent_vertices(trees[i].vertex, skeleton.graph)))
-        radius = (std::max)(radius, skeleton.graph[neighbor].inscribed_radius);
-    out << i + 1 << (i == skeleton.soma ? " 1 " : " 0 ") << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << radius
-        << ' ';
+    const Point& p = skeleton.graph[trees[i].vertex].point;
+    out << i + 1 << ' ' << (i == skeleton.soma ? 1 : options.type) << ' ' << p.x() << ' ' << p.y() << ' ' << p.z()
+        << ' ' << radii[trees[i].vertex] << ' ';
     if(trees[i].parent == Skeleton::none)
       out << "-1\n";
     else
@@ -218,12 +248,18 @@ void write_graphml(std::ostream& out, const Skeleton& skeleton)
   out << "</graph>\n</graphml>\n";
 }
 
+// None of what is nothing, or beyond double.
+std::optional<double> share(double part, double whole)
+{
+  return whole > 0 && std::isfinite(whole) ? std::make_optional(part / whole) : std::nullopt;
+}
+
 // A line for each branch. What there is not is empty.
 void write_csv(std::ostream& out, const Skeleton& skeleton)
 {
   CGAL::Reeb_graph::internal::Text_output text(out);
   text << "branch,component,parent,from,to,length,tortuosity,strahler,radius,least_radius,greatest_radius,"
-          "inscribed_radius,volume,area\n";
+          "inscribed_radius,volume,area,junction_volume,junction_area\n";
   for(std::size_t i = 0; i != skeleton.branches.size(); ++i)
   {
     const auto& branch = skeleton.branches[i];
@@ -235,7 +271,7 @@ void write_csv(std::ostream& out, const Skeleton& skeleton)
       text << branch.tortuosity;
     text << ',' << branch.order;
     for(const double x : {branch.radius, branch.least_radius, branch.greatest_radius, branch.inscribed_radius,
-                          branch.volume, branch.area})
+                          branch.volume, branch.area, branch.junction_volume, branch.junction_area})
       text << ',' << x;
     text << '\n';
   }
@@ -281,6 +317,13 @@ void note_branches_without_face(const Skeleton& skeleton, std::vector<std::strin
     notes.push_back("branches without a face, and so without a piece: " + names);
 }
 
+void note_inside_out(const Skeleton& skeleton, std::vector<std::string>& notes)
+{
+  if(skeleton.number_inside_out > 0)
+    notes.push_back("the faces look inwards, volumes are those of the solid all the same: "
+                    + count(skeleton.number_inside_out, "component"));
+}
+
 void note_lost_numbers(const Skeleton& skeleton, std::vector<std::string>& notes)
 {
   typedef CGAL::Reeb_graph::Skeleton_branch Branch;
@@ -303,12 +346,12 @@ void note_lost_numbers(const Skeleton& skeleton, std::vector<std::string>& notes
   }
 }
 
-void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton, bool are_radii_inscribed)
+void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton, const Swc_options& options)
 {
   const std::string format = format_of_skeleton(path);
   write_file(path, [&](std::ostream& out) {
     if(format == ".swc")
-      write_swc(out, skeleton, are_radii_inscribed);
+      write_swc(out, skeleton, options);
     else if(format == ".vtp" && !skeleton.paths.empty())
       write_paths(out, skeleton);
     else if(format == ".vtp")
@@ -345,6 +388,10 @@ void write_text(std::ostream& out, const Skeleton_report& report)
   for(const Place_of_point& place : report.skeleton.places)
     out << "place     " << place.given.x() << ' ' << place.given.y() << ' ' << place.given.z() << " is "
         << place.distance << " from the line; nearest to it is point " << place.point << '\n';
+  out << "solid     volume " << numbers.volume << ", area " << numbers.area;
+  if(const auto of_volume = share(numbers.junction_volume, numbers.volume))
+    out << ", " << 100 * *of_volume << " % of the volume in junctions";
+  out << '\n';
   if(!report.skeleton.paths.empty())
     out << "paths     " << report.skeleton.paths.size() << '\n';
   for(const auto& [step, seconds] : report.seconds)
@@ -388,6 +435,11 @@ void write_json(std::ostream& out, const Skeleton_report& report)
   json["self_intersecting_components"] = known.number_of_crossing_components;
   const Skeleton_numbers numbers = numbers_of(report.skeleton);
   json["cable_length"] = numbers.cable_length;
+  json["volume"] = numbers.volume;
+  json["area"] = numbers.area;
+  json["junction_share_of_volume"] = share(numbers.junction_volume, numbers.volume);
+  json["junction_share_of_area"] = share(numbers.junction_area, numbers.area);
+  json["inside_out_components"] = report.skeleton.number_inside_out;
   json["branches"] = known.number_of_arcs;
   json["mean_tortuosity"] = numbers.mean_tortuosity;
   json["strahler_order"] = numbers.order;
@@ -401,6 +453,8 @@ void write_json(std::ostream& out, const Skeleton_report& report)
                             {"tortuosity", row.tortuosity},
                             {"volume", row.volume},
                             {"area", row.area},
+                            {"junction_volume", row.junction_volume},
+                            {"junction_area", row.junction_area},
                             {"length", row.length},
                             {"radius", row.radius},
                             {"least_radius", row.least_radius},

@@ -30,8 +30,8 @@ void check_skeleton_format(const std::filesystem::path& path);
 void check_path_format(const std::filesystem::path& path);
 
 // Writes a .swc, .vtp, .polylines.txt, .graphml, or .csv file.
-// If there are paths, the files .vtp and .polylines.txt have these. SWC can have inscribed radii.
-void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton, bool are_radii_inscribed = false);
+// If there are paths, the files .vtp and .polylines.txt have these.
+void write_skeleton(const std::filesystem::path& path, const Skeleton& skeleton, const Swc_options& options = {});
 
 // Writes the surface as .ply or .vtp, with the branch of each face, the same as its arc, but -1 in junctions, and whether it
 // is in one.
@@ -42,6 +42,9 @@ void note_lost_parts(const std::filesystem::path& path, const Skeleton& skeleton
 
 // Notes the branches for which there is no piece, as no face is nearest to them.
 void note_branches_without_face(const Skeleton& skeleton, std::vector<std::string>& notes);
+
+// Notes how many components are inside out.
+void note_inside_out(const Skeleton& skeleton, std::vector<std::string>& notes);
 
 // Notes lengths, areas and volumes that are too large or too small for a double.
 void note_lost_numbers(const Skeleton& skeleton, std::vector<std::string>& notes);

@@ -8,21 +8,27 @@
 #include <boost/test/unit_test.hpp>
 
 #include "mesh_builders.h"
+#include "shuffle.h"
 #include "tube_samples.h"
 #include "voxel_solids.h"
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 #include <CGAL/Reeb_graph/skeleton/find_branch_faces.h>
+#include <CGAL/Reeb_graph/skeleton/measure_branch_faces.h>
 #include <CGAL/Reeb_graph/skeleton/measure_branches.h>
 #include <CGAL/Reeb_graph/skeleton/skeleton_paths.h>
 #include <CGAL/Reeb_graph/skeleton/skeleton_trees.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/connected_components.hpp>
 #include <boost/mpl/list.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -112,9 +118,7 @@ void check_branches(const std::vector<Skeleton_record>& trees, const std::vector
     BOOST_TEST(!(branch.tortuosity < 1 - 1e-9));
     BOOST_TEST(branch.radius >= branch.least_radius * (1 - 1e-9));
     BOOST_TEST(branch.radius <= branch.greatest_radius * (1 + 1e-9));
-    const double r = 3.141592653589793 * branch.length;
-    BOOST_TEST(branch.volume >= r * branch.least_radius * branch.least_radius * (1 - 1e-9));
-    BOOST_TEST(branch.volume <= r * branch.greatest_radius * branch.greatest_radius * (1 + 1e-9));
+    BOOST_TEST(branch.length > 0);
   }
 }
 
@@ -145,6 +149,28 @@ void check_faces(const Mesh& mesh, const Map& arc_map, const Junction_map& junct
   }
   BOOST_TEST(number_of_parts == arcs.size());
   BOOST_TEST((arcs.empty() || *arcs.rbegin() < number_of_arcs));
+}
+
+// Branches make the whole: the area, and the volume with borders filled, of what is closed.
+template <class Mesh, class Map, class Junction_map>
+void check_sizes(const Mesh& mesh,
+                 const Map& arc_map,
+                 const Junction_map& junction_map,
+                 std::vector<Skeleton_branch>& branches)
+{
+  BOOST_TEST(measure_branch_faces(mesh, arc_map, junction_map, branches) == 0u);
+  double area = 0, volume = 0;
+  for(const Skeleton_branch& branch : branches)
+  {
+    BOOST_TEST((branch.area >= 0 && branch.junction_area >= 0 && branch.junction_area <= branch.area * (1 + 1e-9)));
+    area += branch.area;
+    volume += branch.volume;
+  }
+  const double expected = CGAL::to_double(CGAL::Polygon_mesh_processing::area(mesh));
+  BOOST_TEST(area == expected, boost::test_tools::tolerance(1e-9));
+  if(CGAL::is_closed(mesh))
+    BOOST_TEST(volume == CGAL::to_double(CGAL::Polygon_mesh_processing::volume(mesh)),
+               boost::test_tools::tolerance(1e-9));
 }
 
 // Paths are as long as the shortest ones, which Bellman and Ford find.
@@ -199,12 +225,13 @@ std::vector<Skeleton_branch> check_all(const Mesh& mesh)
   const std::vector<Skeleton_record> others = skeleton_trees(skeleton, {last});
   check_trees(skeleton, others);
   BOOST_TEST(others.front().vertex == last);
-  const std::vector<Skeleton_branch> branches = measure_branches(skeleton, trees);
+  std::vector<Skeleton_branch> branches = measure_branches(skeleton, trees);
   check_branches(trees, branches);
   const auto arc_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
   const auto junction_map = get(CGAL::dynamic_face_property_t<bool>(), mesh);
   find_branch_faces(mesh, skeleton, arc_map, junction_map);
   check_faces(mesh, arc_map, junction_map, branches.size());
+  check_sizes(mesh, arc_map, junction_map, branches);
   return branches;
 }
 } // namespace
@@ -331,6 +358,105 @@ BOOST_AUTO_TEST_CASE(branches_of_solids_of_cubes)
     {
       check_all(make_mesh<Surface_mesh>(Voxel_solid(3 + static_cast<int>(seed % 3), seed).surface()));
     }
+}
+
+namespace {
+typedef std::array<tube_samples::Point, 3> Corners;
+
+struct Sizes
+{
+  std::map<Corners, std::pair<std::size_t, bool>> faces; // the branch of each, and whether it is in a junction
+  std::vector<Skeleton_branch> branches;
+  std::size_t number_inside_out;
+};
+
+Sizes sizes_of(const generated_surfaces::Triangle_soup& soup)
+{
+  const auto mesh = make_mesh<Surface_mesh>(soup);
+  Curve_skeleton<Surface_mesh> skeleton;
+  extract_curve_skeleton(mesh, skeleton);
+  const auto arc_map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  const auto junction_map = get(CGAL::dynamic_face_property_t<bool>(), mesh);
+  find_branch_faces(mesh, skeleton, arc_map, junction_map);
+  Sizes sizes = {{}, measure_branches(skeleton, skeleton_trees(skeleton)), 0};
+  sizes.number_inside_out = measure_branch_faces(mesh, arc_map, junction_map, sizes.branches);
+  for(const auto f : mesh.faces())
+  {
+    Corners corners;
+    auto next = corners.begin();
+    for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      *next++ = {mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+    std::sort(corners.begin(), corners.end());
+    sizes.faces[corners] = {get(arc_map, f), get(junction_map, f)};
+  }
+  return sizes;
+}
+
+bool are_near(double a, double b) { return std::abs(a - b) <= 1e-9 * (std::abs(a) + 1); }
+} // namespace
+
+// The order of vertices and faces, and the corner that a face begins with, change neither the branches of faces nor their sizes.
+BOOST_AUTO_TEST_CASE(branches_in_any_order)
+{
+  std::vector<generated_surfaces::Triangle_soup> soups;
+  for(const Tubes& sample : {tube_samples::tree(true), tube_samples::ladder(3), tube_samples::two_components()})
+    soups.push_back(tube_samples::surface(sample, 0.1, 5));
+  for(std::size_t seed = 0; seed != 12; ++seed)
+    soups.push_back(Voxel_solid(3 + static_cast<int>(seed % 3), seed).surface());
+  random_meshes::Random random(77);
+  for(std::size_t i = 0; i != soups.size(); ++i)
+    BOOST_TEST_CONTEXT("surface " << i)
+    {
+      const Sizes sizes = sizes_of(soups[i]);
+      generated_surfaces::shuffle(soups[i], random);
+      for(auto& triangle : soups[i].triangles)
+        std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(random.below(3)), triangle.end());
+      const Sizes others = sizes_of(soups[i]);
+      BOOST_TEST((others.faces == sizes.faces));
+      BOOST_REQUIRE(others.branches.size() == sizes.branches.size());
+      for(std::size_t branch = 0; branch != sizes.branches.size(); ++branch)
+        for(const auto member : {&Skeleton_branch::area, &Skeleton_branch::volume, &Skeleton_branch::junction_area,
+                                 &Skeleton_branch::junction_volume})
+          BOOST_TEST(are_near(others.branches[branch].*member, sizes.branches[branch].*member));
+    }
+}
+
+// A tube of radius 1, one with a branch, and what is open: the volumes that a person knows, and the same inside out.
+BOOST_AUTO_TEST_CASE(volumes_of_branches)
+{
+  for(const bool is_open : {false, true})
+  {
+    Tubes tube;
+    tube.tubes = {{{0, 0, 0}, {0, 0, 12}, 1, 1}};
+    if(is_open)
+      tube.holes = {{{0, 0, -1}, 1.02}, {{0, 0, 13}, 1.02}};
+    auto soup = tube_samples::surface(tube);
+    const Sizes sizes = sizes_of(soup);
+    BOOST_REQUIRE(sizes.branches.size() == 1u);
+    const double volume = sizes.branches.front().volume, pi = 3.141592653589793;
+    BOOST_TEST(volume == pi * (12 + (is_open ? 0.8 : 4. / 3)), boost::test_tools::tolerance(0.02));
+    BOOST_TEST(sizes.branches.front().junction_volume == 0);
+    BOOST_TEST(sizes.number_inside_out == 0u);
+    for(auto& triangle : soup.triangles)
+      std::swap(triangle[0], triangle[1]);
+    const Sizes turned = sizes_of(soup);
+    BOOST_TEST(turned.number_inside_out == 1u);
+    BOOST_TEST(are_near(turned.branches.front().volume, volume));
+  }
+  const Sizes sizes = sizes_of(tube_samples::surface(tube_with_branch(0)));
+  BOOST_REQUIRE(sizes.branches.size() == 3u);
+  double junctions = 0, volume = 0;
+  for(const Skeleton_branch& branch : sizes.branches)
+  {
+    BOOST_TEST((branch.volume > 0 && branch.junction_volume > 0 && branch.junction_volume < branch.volume));
+    junctions += branch.junction_volume;
+    volume += branch.volume;
+    if(branch.radius < 5) // which leaves the wide one, of radius 10, where the cone over its border begins
+      BOOST_TEST(branch.volume - branch.junction_volume == 3.1416 * 4 * 30, boost::test_tools::tolerance(0.15));
+  }
+  BOOST_TEST(junctions == 3.1416 * 100 * 20,
+             boost::test_tools::tolerance(0.25)); // the ball there is as wide as that tube
+  BOOST_TEST(volume == 3.1416 * (100 * 90 + 4000. / 3 + 4 * 30), boost::test_tools::tolerance(0.02));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

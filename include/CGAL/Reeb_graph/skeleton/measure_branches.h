@@ -48,9 +48,11 @@ struct Skeleton_branch
   double radius = 0;                          ///< the mean by length
   double least_radius = 0, greatest_radius = 0;
   double inscribed_radius = 0; ///< the mean by length
-  /// that of the cones between circles; in junctions, these are as wide as where the line leaves them
-  double volume = 0;
-  double area = std::numeric_limits<double>::quiet_NaN(); ///< that of faces, for the user to set
+  double area =
+    std::numeric_limits<double>::quiet_NaN(); ///< that of its faces: `measure_branch_faces()` sets what follows
+  double volume = std::numeric_limits<double>::quiet_NaN();          ///< that of the solid between its faces
+  double junction_area = std::numeric_limits<double>::quiet_NaN();   ///< how much of the area lies in junctions
+  double junction_volume = std::numeric_limits<double>::quiet_NaN(); ///< how much of the volume does
 };
 
 /// @}
@@ -115,7 +117,6 @@ Skeleton_branch measure_branch(const CurveSkeleton& skeleton,
       share * ((point(i).inscribed_radius + point(i + 1).inscribed_radius) / 2 - branch.inscribed_radius);
     branch.least_radius = (std::min)(branch.least_radius, s);
     branch.greatest_radius = (std::max)(branch.greatest_radius, s);
-    branch.volume += length * std::acos(-1.) / 3 * (r * r + r * s + s * s);
   }
   const double distance = distance_between(skeleton[arc.front()].point, skeleton[arc.back()].point);
   if(distance > 0)
@@ -149,8 +150,8 @@ void mark_junctions(CurveSkeleton& skeleton)
 
 /// \ingroup PkgReebGraphSkeleton
 ///
-/// \brief measures each arc of a curve skeleton, as a branch of the trees that `skeleton_trees()` makes. It takes linear
-/// time.
+/// \brief measures each arc of a curve skeleton, as a branch of the trees that `skeleton_trees()` makes, but for areas and volumes. It
+/// takes linear time.
 ///
 /// \param skeleton a curve skeleton, as it has been extracted
 /// \param trees its trees
