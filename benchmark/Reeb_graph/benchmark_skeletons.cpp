@@ -17,6 +17,7 @@
 #include "generated_surfaces/build_mesh.h"
 #include "generated_surfaces/standing_figure.h"
 #include "measurements.h"
+#include "quadruped_samples.h"
 #include "skeleton_quality.h"
 #include "tube_samples.h"
 
@@ -166,7 +167,7 @@ void count_ends(const std::vector<std::string>& files)
   std::printf("%-6s %-10s %5s %8s %6s\n", "ratio", "shapes", "ends", "missing", "false");
   for(const double ratio : {0.3, 0.5})
   {
-    Errors_of_ends characters, spikes;
+    Errors_of_ends characters, spikes, quadrupeds;
     for(const std::string& file : files)
     {
       Mesh mesh;
@@ -186,7 +187,14 @@ void count_ends(const std::vector<std::string>& files)
           spikes.add(generated_surfaces::make_mesh<Mesh>(tube_samples::surface(sample, 0.01, 7)), ratio, sample.ends,
                      sample.ends);
         }
-    for(const auto& [name, errors] : {std::pair("characters", characters), std::pair("spikes", spikes)})
+    for(std::size_t seed = 0; seed != 200; ++seed)
+    {
+      auto animal = quadruped_samples::quadruped(seed);
+      const auto soup = quadruped_samples::surface(animal, seed);
+      quadrupeds.add(generated_surfaces::make_mesh<Mesh>(soup), ratio, animal.tips.size(), animal.tips.size());
+    }
+    for(const auto& [name, errors] :
+        {std::pair("characters", characters), std::pair("spikes", spikes), std::pair("quadrupeds", quadrupeds)})
       std::printf("%-6.1f %-10s %5zu %8zu %6zu\n", ratio, name, errors.all, errors.missing, errors.excess);
   }
 }
