@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(loops_that_pass_a_vertex_twice_are_refused)
 {
   // many handles and few vertices at random places
   std::size_t number_of_crossed = 0;
-  for(const std::size_t seed : {1, 2, 3, 4})
+  for(const std::size_t seed : {1, 2, 15, 32})
   {
     random_meshes::Random random(seed);
     auto sum = random_meshes::seven_vertex_torus();
