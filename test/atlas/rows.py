@@ -92,7 +92,7 @@ def skeleton(case):
         return {}  # which would not be borders any more
     root = ("--root", case.heights.argmin()) if "order" in case.truths else ()
     found = run("skeleton", case.raw if case.is_self_repairing else case.file, *case.skeleton, *root, "--output", case.path("lines.swc"))
-    result = {name: found[name] for name in (*CERTIFICATE, "ends", "loops", "junctions") if name in case.truths or name in RULES}
+    result = {name: found[name] for name in (*CERTIFICATE, "ends", "border_ends", "loops", "junctions") if name in case.truths or name in RULES}
     lengths, areas, radii, inscribed = np.array([[arc[name] for name in ("length", "area", "radius", "inscribed_radius")] for arc in found["arcs"]]).T
     result |= {"length": lengths.sum(), "area": areas.sum(), "radius": lengths @ inscribed / lengths.sum(), "thickest": radii.max()}
     result |= {"order": found["strahler_order"]} if root else {}

@@ -87,7 +87,7 @@ def cylinder(fine, ends):
     z = np.linspace(0, h, 2 * h * fine + 1)
     line = np.outer([*z[:1][:lids], *z, *z[-1:][: max(0, lids - 1)]], [0, 0, 1])  # the middle of a lid is where its rim is
     radii = r * np.array([0] * (lids > 0) + [1] * len(z) + [0] * (lids > 1))
-    truths = dict(borders=2 - lids, area=about(2 * pi * r * h + lids * pi * r * r), limbs=2, ends=2)
+    truths = dict(borders=2 - lids, border_ends=2 - lids, area=about(2 * pi * r * h + lids * pi * r * r), limbs=2, ends=2)
     truths |= dict(volume=about(pi * r * r * h), critical=(1, 0, 1)) if lids == 2 else {}
     return tube(line, radii, 16 * fine), dict(truths, length=about(h, by=0.3), radius=about(0.95, by=0.1))
 @plain()
