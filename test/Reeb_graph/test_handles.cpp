@@ -548,6 +548,50 @@ BOOST_AUTO_TEST_CASE(the_test_for_self_intersections_agrees_with_that_of_cgal)
   BOOST_TEST(number_of_crossed < number_of_seeds * 4 / 5);
 }
 
+// Two apexes and a ring of many corners, in a plane as a lid has it, with noise, with neighbors exchanged, or in few places.
+BOOST_AUTO_TEST_CASE(faces_around_a_vertex_with_many_are_tested_as_cgal_does)
+{
+  std::size_t number_of_crossed = 0;
+  const std::size_t number_of_seeds = 120;
+  for(std::size_t seed = 0; seed != number_of_seeds; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      random_meshes::Random random(seed);
+      const auto number = [&] { return static_cast<double>(random.below(2001)) / 1000 - 1; };
+      const std::size_t sides = 50 + random.below(150), kind = seed % 6;
+      const double unit = seed % 5 == 4 ? 1e-30 : 1;
+      generated_surfaces::Triangle_soup soup;
+      for(std::size_t i = 0; i != sides; ++i)
+      {
+        const double swap = kind == 4 ? 2 * number() : kind == 5 ? static_cast<double>(random.below(2)) : 0;
+        const double turn = 2 * std::acos(-1.) * (static_cast<double>(i) + swap) / static_cast<double>(sides);
+        const double radius = kind == 2 || kind == 3 ? 1 + 0.5 * number() : kind == 5 ? 1 + 0.5 * number() : 1;
+        const double height = kind == 1 || kind == 3 ? number()
+                            : kind == 5              ? 0.5 * static_cast<double>(random.below(2))
+                                                     : 0;
+        soup.points.push_back({unit * radius * std::cos(turn), unit * radius * std::sin(turn), unit * height});
+        soup.triangles.push_back({sides, i, (i + 1) % sides});
+        soup.triangles.push_back({sides + 1, (i + 1) % sides, i});
+      }
+      soup.points.push_back({random.below(3) == 0 ? 2 * unit * number() : 0, 0, random.below(3) == 0 ? 0 : unit});
+      soup.points.push_back({0, 0, -unit});
+      const auto mesh = make_mesh<Exact_mesh>(soup);
+      Pairs_of_faces pairs;
+      CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+      const auto surface = CGAL::Reeb_graph::internal::closed_triangles(mesh);
+      for(const bool are_counted : {false, true})
+      {
+        CGAL::Reeb_graph::internal::Self_intersections intersections(
+          surface, std::vector<CGAL::Reeb_graph::internal::Index>(soup.points.size(), 0), 1, are_counted);
+        const std::size_t found = intersections([](double) {})[0];
+        BOOST_TEST((are_counted ? found == pairs.size() : (found != 0) == !pairs.empty()));
+      }
+      number_of_crossed += pairs.empty() ? 0 : 1;
+    }
+  BOOST_TEST(number_of_crossed > number_of_seeds / 5);
+  BOOST_TEST(number_of_crossed < number_of_seeds * 4 / 5);
+}
+
 BOOST_AUTO_TEST_CASE(meshes_without_handles_have_no_loops)
 {
   BOOST_TEST(find_loops(Surface_mesh(), 14).loops().empty());

@@ -56,6 +56,29 @@ Input noisy_torus(std::size_t number_of_vertices)
 
 typedef std::array<double, 3> Position;
 
+// A cylinder with few rings, and with lids that are fans of triangles around one vertex: in the middle, or on the rim.
+Input cylinder_with_lids(std::size_t number_of_vertices, bool is_hub_on_rim)
+{
+  const std::size_t sides = number_of_vertices / 3;
+  Input input = {is_hub_on_rim ? "lids around a corner" : "lids around a center", {}, {}};
+  input.soup = generated_surfaces::internal::grid(sides, 3, true, false, [&](std::size_t i, std::size_t k) {
+    const double turn = 2 * std::acos(-1.) * static_cast<double>(i) / static_cast<double>(sides);
+    return Position{std::cos(turn), std::sin(turn), 2 * static_cast<double>(k)};
+  });
+  for(const std::size_t rim : {std::size_t(0), 2 * sides})
+  {
+    const std::size_t hub = is_hub_on_rim ? rim : input.soup.points.size();
+    if(!is_hub_on_rim)
+      input.soup.points.push_back({0, 0, rim == 0 ? 0. : 4.});
+    for(std::size_t i = 0; i != sides; ++i)
+      if(const std::size_t a = rim + i, b = rim + (i + 1) % sides; a != hub && b != hub)
+        input.soup.triangles.push_back(rim == 0 ? std::array<std::size_t, 3>{hub, b, a}
+                                                : std::array<std::size_t, 3>{hub, a, b});
+  }
+  input.values = tilted_height(input.soup);
+  return input;
+}
+
 // A closed tube of squares around a curve over t from 0 to 1, which is nowhere vertical.
 template <class Curve>
 Input tube(const std::string& name, std::size_t number_of_vertices, double radius, const Curve& curve)
@@ -110,6 +133,11 @@ void measure_skeletons(Table& table)
   for(std::size_t i = 0; i != tubes(100).size(); ++i)
     table.measure(tubes(100)[i].name, at_three_sizes<Subject>(2400, [i](std::size_t size) { return tubes(size)[i]; }),
                   of_distances);
+  for(const bool is_hub_on_rim : {false, true})
+    table.measure(
+      cylinder_with_lids(100, is_hub_on_rim).name,
+      at_three_sizes<Subject>(3000, [=](std::size_t size) { return cylinder_with_lids(size, is_hub_on_rim); }),
+      of_distances);
   of_distances.largest_exponent = 1.5; // Contours of all branches would take 2.7.
   table.measure("torus, 15 % noise", at_three_sizes<Subject>(9000, noisy_torus), of_distances);
   const std::size_t n = 3000, number_of_inputs = all_inputs(100).size();

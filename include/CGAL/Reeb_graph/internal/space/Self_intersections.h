@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -287,7 +288,9 @@ private:
 // Finds the components that intersect themselves, or have faces without area. Other components may pass through them.
 // Faces are in patches, each inside of a ball. Where that is flat, as nearly always, none of its faces intersect. Other
 // pairs of faces whose boxes overlap are tested exactly, unless they lie side by side around a vertex, or floating-point
-// numbers find a plane between them. The same pairs are found as by Polygon_mesh_processing::self_intersections().
+// numbers find a plane between them. Around a vertex with many faces, as in the lid of a cylinder, all boxes overlap: there
+// arcs tell which faces come near to each other. The same pairs are found as by
+// Polygon_mesh_processing::self_intersections().
 class Self_intersections
 {
 public:
@@ -319,7 +322,8 @@ public:
     std::vector<std::pair<std::size_t, std::size_t>> pairs; // of a flat patch, and one that overlaps it
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Numbered_box& a, const Numbered_box& b) {
       const Patch &patch = patches_[a.info()], &other = patches_[b.info()];
-      if(component_of(patch) != component_of(other) || !do_overlap(patch.extent, other.extent))
+      if(component_of(patch) != component_of(other) || is_same_fan(patch, other)
+         || !do_overlap(patch.extent, other.extent))
         return;
       if(patch.is_flat())
         pairs.emplace_back(a.info(), b.info());
@@ -341,6 +345,7 @@ public:
       marked = flat;
       test_patches(patch, patches_[other]);
     }
+    test_fans();
     return numbers_;
   }
 
@@ -392,6 +397,7 @@ private:
     std::size_t begin, end;              // of its faces
     std::ptrdiff_t ball_begin, ball_end; // of the faces of its ball, which are kept if that is flat
     Extent extent;
+    Index hub = no_index; // the vertex that all of its faces are around, where that has many
     bool is_flat() const { return ball_begin != ball_end; }
   };
 
@@ -400,6 +406,7 @@ private:
 
   Index component_of(Index face) const { return components_[surface_.corners(face)[0]]; }
   Index component_of(const Patch& patch) const { return component_of(faces_[patch.begin]); }
+  static bool is_same_fan(const Patch& a, const Patch& b) { return a.hub != no_index && a.hub == b.hub; }
 
   template <class Progress>
   void make_patches(const Progress& progress)
@@ -442,10 +449,12 @@ private:
     patch.ball_end = static_cast<std::ptrdiff_t>(faces_of_balls_.size());
   }
 
-  // Faces that are not flat are compared one by one, so that the patch is small.
+  // Faces that are not flat are compared one by one, so that the patch is small. Those around a vertex with many faces
+  // are in patches of their own.
   void add_connected_faces(Index seed, std::vector<bool>& is_placed)
   {
     const std::size_t begin = faces_.size();
+    const Index hub = patches_.back().hub = hub_of(seed);
     add_face(seed, is_placed);
     for(std::size_t i = begin; i != faces_.size(); ++i)
     {
@@ -453,10 +462,25 @@ private:
       for(int k = 0; k != 3; ++k, h = surface_.next[h])
       {
         const Index neighbor = surface_.face[surface_.opposite(h)];
-        if(!is_placed[neighbor] && faces_.size() != begin + largest_patch)
+        if(!is_placed[neighbor] && faces_.size() != begin + largest_patch && hub_of(neighbor) == hub)
           add_face(neighbor, is_placed);
       }
     }
+  }
+
+  // The corner of a face that has many faces around it; no_index if there is none.
+  Index hub_of(Index face)
+  {
+    for(const Index v : surface_.corners(face))
+    {
+      std::size_t number = 0;
+      for(Index h = surface_.outgoing[v]; number <= largest_patch && (number == 0 || h != surface_.outgoing[v]);
+          ++number)
+        h = surface_.turned(h);
+      if(number > largest_patch)
+        return v;
+    }
+    return no_index;
   }
 
   void add_face(Index face, std::vector<bool>& is_placed)
@@ -509,9 +533,57 @@ private:
       const auto [u, v, w] = surface_.corners(face.number);
       if(!is_flat(u) && !is_flat(v) && !is_flat(w) && triangle(face).triangle().is_degenerate())
         ++numbers_[component_of(patch)];
-      test_near(face, false);
+      if(patch.hub == no_index)
+        test_near(face, false);
       near_.push_back(face);
     }
+  }
+
+  // Tests the faces of patches around one vertex. Two that meet elsewhere, too, meet in the same direction seen from there.
+  void test_fans()
+  {
+    std::map<Index, std::vector<std::size_t>> fans; // patches by vertex
+    for(std::size_t i = 0; i != patches_.size(); ++i)
+      if(patches_[i].hub != no_index && !is_flat(patches_[i].hub))
+        fans[patches_[i].hub].push_back(i);
+    for(const auto& [hub, patches] : fans)
+    {
+      std::vector<Numbered_box> arcs;
+      for(const std::size_t i : patches)
+        for(std::size_t k = patches_[i].begin; k != patches_[i].end; ++k)
+          if(const Face face = {faces_[k], {}}; !triangle(face).triangle().is_degenerate())
+            arcs.push_back(Numbered_box(arc_seen_from(hub, faces_[k]), faces_[k]));
+      box_self_intersection_d(arcs.begin(), arcs.end(), [&](const Numbered_box& a, const Numbered_box& b) {
+        const Index f = static_cast<Index>(a.info()), g = static_cast<Index>(b.info());
+        if(!are_counted_ && numbers_[component_of(f)] != 0)
+          return;
+        const Face face = {f, extent(f)}, other = {g, extent(g)};
+        if(do_overlap(face.extent, other.extent) && !are_around_flat_vertex(face, other))
+          test(face, other);
+      });
+    }
+  }
+
+  // A box around the directions in which a face is seen from one of its corners. They bulge beyond those of the other two.
+  Bbox_3 arc_seen_from(Index corner, Index face) const
+  {
+    Bbox_3 result;
+    Vector sum = {0, 0, 0};
+    for(const Index v : surface_.corners(face))
+    {
+      if(v == corner)
+        continue;
+      Vector way = surface_.way(corner, v);
+      const double size = (std::max)({std::abs(way[0]), std::abs(way[1]), std::abs(way[2])});
+      way = {way[0] / size, way[1] / size, way[2] / size};
+      const double length = std::sqrt(dot(way, way));
+      for(std::size_t k = 0; k != 3; ++k)
+        sum[k] += way[k] /= length;
+      result += Bbox_3(way[0], way[1], way[2], way[0], way[1], way[2]);
+    }
+    const double bulge = 1 - std::sqrt(dot(sum, sum)) / 2 + 1e-12;
+    return {result.xmin() - bulge, result.ymin() - bulge, result.zmin() - bulge,
+            result.xmax() + bulge, result.ymax() + bulge, result.zmax() + bulge};
   }
 
   // Tests those faces of two patches that overlap the other patch. If the ball of the first one is flat, it is marked, and
@@ -521,11 +593,35 @@ private:
     near_.clear();
     for(std::size_t i = b.begin; i != b.end && !is_done(a); ++i)
       if(!(a.is_flat() && ball_.contains(faces_[i])))
-        if(const Face face = {faces_[i], extent(faces_[i])}; do_overlap(face.extent, a.extent))
+        if(const Face face = {faces_[i], extent(faces_[i])}; does_reach(face, a.extent))
           near_.push_back(face);
     for(std::size_t i = a.begin; i != a.end && !near_.empty(); ++i)
-      if(const Face face = {faces_[i], extent(faces_[i])}; do_overlap(face.extent, b.extent))
+      if(const Face face = {faces_[i], extent(faces_[i])}; does_reach(face, b.extent))
         test_near(face, a.is_flat());
+  }
+
+  // Whether a face may come into a box: no plane across it through an edge has the box beyond, as for most of a long lean face.
+  bool does_reach(const Face& face, const Extent& extent) const
+  {
+    if(!do_overlap(face.extent, extent))
+      return false;
+    const auto corners = surface_.corners(face.number);
+    const Vector normal = cross(surface_.way(corners[0], corners[1]), surface_.way(corners[1], corners[2]));
+    for(std::size_t i = 0; i != 3; ++i)
+    {
+      const Vector &from = surface_.points[corners[i]],
+                   axis = cross(surface_.way(corners[i], corners[(i + 1) % 3]), normal);
+      double lowest = 0, size = 0; // of the box, along what leads out of the face
+      for(std::size_t k = 0; k != 3; ++k)
+      {
+        const double a = axis[k] * (extent.least[k] - from[k]), b = axis[k] * (extent.greatest[k] - from[k]);
+        lowest += (std::min)(a, b);
+        size += std::abs(a) + std::abs(b);
+      }
+      if(size > 1e-250 && lowest > 1e-12 * size)
+        return false;
+    }
+    return true;
   }
 
   void test_near(const Face& face, bool is_apart)
