@@ -5,6 +5,7 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/comparison/bottleneck_distance.h>
 #include <CGAL/Reeb_graph/comparison/match_arcs.h>
+#include <CGAL/Reeb_graph/comparison/match_tips.h>
 #include <CGAL/Reeb_graph_traits.h>
 #include <CGAL/compute_reeb_graph.h>
 
@@ -63,6 +64,11 @@ int main(int argc, char* argv[])
     CGAL::Reeb_graph::match_arcs(graph, Augmentation(mesh, width, graph), wider_graph,
                                  Augmentation(mesh, wider, wider_graph), std::back_inserter(partners));
     std::cout << partners.size() << " of " << num_edges(graph) << " arcs have partners" << std::endl;
+
+    // vertices that stand for the same place, as sources of distances
+    std::vector<CGAL::Reeb_graph::Tip_pair<vertex_descriptor, vertex_descriptor>> tips;
+    CGAL::Reeb_graph::match_tips(mesh, mesh, std::back_inserter(tips));
+    std::cout << tips.size() << " pairs of tips are alike" << std::endl;
   }
   catch(const CGAL::Reeb_graph::Error& error)
   {

@@ -13,10 +13,12 @@
 
 #include <CGAL/Reeb_graph/comparison/bottleneck_distance.h>
 #include <CGAL/Reeb_graph/comparison/match_arcs.h>
+#include <CGAL/Reeb_graph/comparison/match_tips.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -147,6 +149,57 @@ BOOST_AUTO_TEST_CASE(limbs_are_partners_of_limbs)
   }
   BOOST_TEST(number >= 29u); // a head, two arms, and two legs
   BOOST_TEST(number_of_right_ones >= 29u);
+}
+
+BOOST_AUTO_TEST_CASE(noise_changes_no_partner)
+{
+  for(const double noise : {0.01, 0.03, 0.05})
+    BOOST_TEST_CONTEXT("noise " << noise)
+    {
+      const Compared_body a = body(4, 2), b = body(5, 8), noisy = body(5, 8, noise);
+      std::vector<generated_surfaces::Body_part> partners(a.parts.size());
+      for(const auto& [leaf_a, leaf_b] : matched_leaves(a, b))
+        partners[leaf_a] = b.parts[leaf_b];
+      std::size_t number = 0;
+      for(const auto& [leaf_a, leaf_b] : matched_leaves(a, noisy))
+      {
+        BOOST_TEST((noisy.parts[leaf_b] == partners[leaf_a]));
+        ++number;
+      }
+      BOOST_TEST(number == 5u);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(tips_are_found_without_a_field)
+{
+  typedef CGAL::Reeb_graph::Tip_pair<Mesh::Vertex_index, Mesh::Vertex_index> Pair;
+  const Compared_body a = body(2, 25), b = body(2, 27), c = body(3, 31);
+  const auto match = [](const Compared_body& first, const Compared_body& second) {
+    std::vector<Pair> tips;
+    CGAL::Reeb_graph::match_tips(first.mesh, second.mesh, std::back_inserter(tips));
+    return tips;
+  };
+  for(const auto& other : {std::cref(b), std::cref(c)})
+  {
+    const auto tips = match(a, other), turned = match(other, a);
+    BOOST_TEST(tips.size() == 5u);
+    BOOST_TEST((a.parts[tips.front().tip_a] == other.get().parts[tips.front().tip_b]));
+    BOOST_TEST(
+      std::is_sorted(tips.begin(), tips.end(), [](const Pair& p, const Pair& q) { return p.price < q.price; }));
+    BOOST_REQUIRE(turned.size() == tips.size());
+    BOOST_TEST((turned.front().tip_a == tips.front().tip_b));
+    BOOST_TEST((turned.front().tip_b == tips.front().tip_a));
+  }
+  for(const Pair& pair : match(a, a))
+  {
+    BOOST_TEST((pair.tip_a == pair.tip_b));
+    BOOST_TEST(std::abs(pair.price) < 1e-9);
+  }
+  Mesh two = a.mesh;
+  two += b.mesh;
+  std::vector<Pair> none;
+  CGAL::Reeb_graph::match_tips(two, a.mesh, std::back_inserter(none));
+  BOOST_TEST(none.empty());
 }
 
 BOOST_AUTO_TEST_CASE(units_numbers_and_order_change_no_partner)

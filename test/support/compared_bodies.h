@@ -17,12 +17,15 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/comparison/match_arcs.h>
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Reeb_graph_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/compute_reeb_graph.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
@@ -36,10 +39,11 @@ typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef Mesh::Property_map<Mesh::Vertex_index, double> Scalar_map;
 typedef CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph Graph;
 
-// A body with the distance from the top of its head, and its simplified graph.
+// A body with the distance from the top of its head, or from another vertex, and its graph, simplified as is suggested.
 struct Compared_body
 {
   Compared_body(generated_surfaces::Posed_body body, double unit, const std::vector<std::size_t>& new_numbers)
+    : top_of_head(static_cast<Mesh::size_type>(new_numbers[body.top_of_head]))
   {
     for(auto& point : body.soup.points)
       for(double& coordinate : point)
@@ -51,12 +55,21 @@ struct Compared_body
     generated_surfaces::renumber(body.soup, new_numbers);
     generated_surfaces::build(mesh, body.soup);
     field = mesh.add_property_map<Mesh::Vertex_index, double>("v:field").first;
-    const std::vector<Mesh::Vertex_index> sources(
-      1, Mesh::Vertex_index(static_cast<Mesh::size_type>(new_numbers[body.top_of_head])));
-    CGAL::Reeb_graph::compute_geodesic_field(mesh, field, sources);
+    see_from(top_of_head);
+  }
+
+  void see_from(Mesh::Vertex_index source)
+  {
+    CGAL::Reeb_graph::compute_geodesic_field(mesh, field, std::vector<Mesh::Vertex_index>(1, source));
     Graph given;
     CGAL::compute_reeb_graph(mesh, field, given);
-    simplification = CGAL::Reeb_graph::simplify(given, 0.15 * unit, graph);
+    std::vector<CGAL::Reeb_graph::Simplification_threshold> thresholds;
+    CGAL::Reeb_graph::simplification_thresholds(given, std::back_inserter(thresholds));
+    double threshold = 0;
+    for(const auto& found : thresholds)
+      if(found.is_suggested)
+        threshold = found.threshold;
+    simplification = CGAL::Reeb_graph::simplify(given, threshold, graph);
   }
 
   auto augmentation() const
@@ -74,6 +87,7 @@ struct Compared_body
     return parts.size();
   }
 
+  Mesh::Vertex_index top_of_head;
   Mesh mesh;
   Scalar_map field;
   Graph graph;
@@ -88,9 +102,27 @@ inline std::vector<std::size_t> own_numbers(std::size_t n)
   return numbers;
 }
 
-inline Compared_body body(unsigned body_seed, unsigned pose_seed)
+// Points are moved by at most `noise` in each direction, in parts of the diagonal of the box.
+inline generated_surfaces::Posed_body posed_body(unsigned body_seed, unsigned pose_seed, double noise)
 {
-  const auto posed = generated_surfaces::posed_body(body_seed, pose_seed, 4500);
+  auto posed = generated_surfaces::posed_body(body_seed, pose_seed, 4500);
+  random_meshes::Random random(pose_seed);
+  double square = 0;
+  for(std::size_t i = 0; i != 3; ++i)
+  {
+    const auto [low, high] = std::minmax_element(posed.soup.points.begin(), posed.soup.points.end(),
+                                                 [i](const auto& p, const auto& q) { return p[i] < q[i]; });
+    square += ((*high)[i] - (*low)[i]) * ((*high)[i] - (*low)[i]);
+  }
+  for(auto& point : posed.soup.points)
+    for(double& coordinate : point)
+      coordinate += noise * std::sqrt(square) * (static_cast<double>(random.below(2000001)) / 1000000 - 1);
+  return posed;
+}
+
+inline Compared_body body(unsigned body_seed, unsigned pose_seed, double noise = 0)
+{
+  const auto posed = posed_body(body_seed, pose_seed, noise);
   return Compared_body(posed, 1, own_numbers(posed.parts.size()));
 }
 

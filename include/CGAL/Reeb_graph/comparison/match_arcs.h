@@ -152,20 +152,27 @@ std::vector<std::size_t> assign(std::size_t size, const Price& price)
   return result;
 }
 
-// By arc of `a`, its partner among those of `b`, or b.size() if it has none. Each may stay alone for half a price.
-inline std::vector<std::size_t> match(const std::vector<Compared_arc>& a,
-                                      const std::vector<Compared_arc>& b,
-                                      double price_alone)
+struct Matched_arcs
 {
-  std::vector<std::size_t> partners = assign(a.size() + b.size(), [&](std::size_t i, std::size_t j) {
+  std::vector<std::size_t> partners; // by arc of the one, its partner among those of the other, or their number
+  double price;                      // of all
+};
+
+// Each arc may stay alone for half a price.
+inline Matched_arcs match(const std::vector<Compared_arc>& a, const std::vector<Compared_arc>& b, double price_alone)
+{
+  const auto price = [&](std::size_t i, std::size_t j) {
     if(i < a.size() && j < b.size())
       return Compared_arc::price(a[i], b[j]);
     return i < a.size() || j < b.size() ? price_alone : 0.;
-  });
-  partners.resize(a.size());
-  for(std::size_t& partner : partners)
+  };
+  Matched_arcs result = {assign(a.size() + b.size(), price), 0};
+  for(std::size_t i = 0; i != result.partners.size(); ++i)
+    result.price += price(i, result.partners[i]);
+  result.partners.resize(a.size());
+  for(std::size_t& partner : result.partners)
     partner = (std::min)(partner, b.size());
-  return partners;
+  return result;
 }
 
 } // namespace internal
@@ -230,7 +237,8 @@ OutputIterator match_arcs(const typename GraphOnMeshA::Graph& graph_a,
   const auto points = parameters::default_values();
   const std::vector<std::size_t> found =
     internal::match(internal::compared_arcs(graph_a, augmentation_a, points),
-                    internal::compared_arcs(graph_b, augmentation_b, points), price_alone);
+                    internal::compared_arcs(graph_b, augmentation_b, points), price_alone)
+      .partners;
   const auto [first_b, last_b] = edges(graph_b);
   const std::vector<typename boost::graph_traits<typename GraphOnMeshB::Graph>::edge_descriptor> arcs_b(first_b,
                                                                                                         last_b);

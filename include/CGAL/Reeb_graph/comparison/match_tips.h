@@ -1,0 +1,156 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_COMPARISON_MATCH_TIPS_H
+#define CGAL_REEB_GRAPH_COMPARISON_MATCH_TIPS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/comparison/match_arcs.h>
+#include <CGAL/Reeb_graph/fields/field_constraints.h>
+#include <CGAL/Reeb_graph/fields/geodesic_field.h>
+#include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
+#include <CGAL/Reeb_graph/simplification/simplify.h>
+#include <CGAL/Reeb_graph_traits.h>
+#include <CGAL/compute_reeb_graph.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph {
+
+/// \ingroup PkgReebGraphComparison
+///
+/// \brief a tip of one mesh, and the tip of another one that stands for the same place.
+///
+/// \tparam VertexA, VertexB the vertex descriptors of the meshes
+template <class VertexA, class VertexB>
+struct Tip_pair
+{
+  VertexA tip_a; ///< a vertex of the first mesh
+  VertexB tip_b; ///< a vertex of the second mesh
+  double price;  ///< what `match_arcs()` pays in all for the graphs of the distances from these two
+};
+
+namespace internal {
+
+// The tips of a connected mesh, none of another one, and the arcs of the graph of the distance from each: the leaves of the graph of the
+// distance from a vertex far away. Graphs are simplified as is suggested.
+template <class Mesh>
+class Tips_of_mesh
+{
+public:
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor Vertex;
+
+  explicit Tips_of_mesh(const Mesh& mesh) : mesh_(mesh)
+  {
+    std::vector<std::pair<Vertex, Vertex>> far_apart;
+    find_far_apart_vertices(mesh, std::back_inserter(far_apart));
+    if(far_apart.size() != 1)
+      return;
+    tips_.push_back(far_apart.front().first);
+    see_from(0);
+    for(std::size_t i = 1; i < tips_.size(); ++i)
+      see_from(i);
+  }
+
+  const std::vector<Vertex>& tips() const { return tips_; }
+  const std::vector<Compared_arc>& arcs_seen_from(std::size_t tip) const { return arcs_[tip]; }
+
+private:
+  void see_from(std::size_t i)
+  {
+    const auto distance = get(dynamic_vertex_property_t<double>(), mesh_);
+    typedef std::decay_t<decltype(distance)> Distance_map;
+    compute_geodesic_field(mesh_, distance, std::array<Vertex, 1>{tips_[i]});
+    typename Reeb_graph_traits<Mesh, Distance_map>::Graph given, graph;
+    compute_reeb_graph(mesh_, distance, given);
+    std::vector<Simplification_threshold> thresholds;
+    simplification_thresholds(given, std::back_inserter(thresholds));
+    const auto suggested =
+      std::find_if(thresholds.begin(), thresholds.end(), [](const auto& threshold) { return threshold.is_suggested; });
+    const auto simplification = simplify(given, suggested == thresholds.end() ? 0 : suggested->threshold, graph);
+    const Augmentation<Mesh, Distance_map> augmentation(mesh_, distance, graph,
+                                                        parameters::simplification(simplification));
+    arcs_.push_back(compared_arcs(graph, augmentation, parameters::default_values()));
+    if(i == 0)
+      for(const auto node : CGAL::make_range(vertices(graph)))
+        if(degree(node, graph) == 1 && graph[node].vertex != tips_[0])
+          tips_.push_back(graph[node].vertex);
+  }
+
+  const Mesh& mesh_;
+  std::vector<Vertex> tips_;
+  std::vector<std::vector<Compared_arc>> arcs_;
+};
+
+} // namespace internal
+
+/// \ingroup PkgReebGraphComparison
+///
+/// \brief finds which tips of two meshes stand for the same place, as the heads of two bodies, without any field.
+///
+/// Distances from such tips are fields that mean the same on both meshes, as `match_arcs()` needs. The tips of a mesh are
+/// where the Reeb graph of the distance from a vertex far away has leaves, once it is simplified by the threshold that
+/// `simplification_thresholds()` suggests. Each tip of the one mesh is taken as a source with each of the other one, and
+/// the arcs of their two graphs are matched. Then tips are assigned to each other, one to one, so that the sum of the
+/// prices of all these matchings is least: two that are alike by chance cost more at the other tips.
+///
+/// There is no promise that tips are the right ones; tips that are alike, as those of a left and a right arm, are not told
+/// apart. Nothing depends on units. Which vertex at the end of a limb its tip is can depend on the order of vertices.
+///
+/// With \f$ t \f$ tips, it takes the time of \f$ t \f$ geodesic fields and graphs of each mesh, and of \f$ t^2 \f$
+/// matchings.
+///
+/// \tparam MeshA, MeshB models of `FaceListGraph`, as for `compute_geodesic_field()`
+/// \tparam OutputIterator a model of `OutputIterator` for `Tip_pair` of vertex descriptors of both meshes
+///
+/// \param mesh_a an oriented triangulated surface
+/// \param mesh_b another one
+/// \param tips the output: pairs of tips, the two that are most alike first
+///
+/// \returns the output iterator behind the last pair; there is none if a mesh has not one connected component.
+///
+/// \exception Reeb_graph::Too_many_arcs_error if a simplified graph has more than 300 arcs
+///
+/// and those of `compute_geodesic_field()`.
+template <class MeshA, class MeshB, class OutputIterator>
+OutputIterator match_tips(const MeshA& mesh_a, const MeshB& mesh_b, OutputIterator tips)
+{
+  const internal::Tips_of_mesh<MeshA> a(mesh_a);
+  const internal::Tips_of_mesh<MeshB> b(mesh_b);
+  const std::size_t number_a = a.tips().size(), number_b = b.tips().size();
+  std::vector<std::vector<double>> prices(number_a);
+  for(std::size_t i = 0; i != number_a; ++i)
+    for(std::size_t j = 0; j != number_b; ++j)
+      prices[i].push_back(internal::match(a.arcs_seen_from(i), b.arcs_seen_from(j), 1).price);
+  const std::vector<std::size_t> assigned =
+    internal::assign((std::max)(number_a, number_b),
+                     [&](std::size_t i, std::size_t j) { return i < number_a && j < number_b ? prices[i][j] : 0.; });
+  std::vector<Tip_pair<typename internal::Tips_of_mesh<MeshA>::Vertex, typename internal::Tips_of_mesh<MeshB>::Vertex>>
+    pairs;
+  for(std::size_t i = 0; i != number_a; ++i)
+    if(assigned[i] < number_b)
+      pairs.push_back({a.tips()[i], b.tips()[assigned[i]], prices[i][assigned[i]]});
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) { return p.price < q.price; });
+  return std::copy(pairs.begin(), pairs.end(), tips);
+}
+
+} // namespace CGAL::Reeb_graph
+
+#endif // CGAL_REEB_GRAPH_COMPARISON_MATCH_TIPS_H
