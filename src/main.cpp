@@ -32,6 +32,54 @@
 
 namespace reeb_graph_program {
 namespace {
+// Options of which one value is that of all meshes, and several are those of one each.
+void add_fields_of_meshes(CLI::App& command, Compare_options& options)
+{
+  const std::string for_each = "; once for all meshes, or once for each, in their order";
+  add_file(command, "--scalars", options.scalars_paths, file_of_scalars + for_each)->allow_extra_args(false);
+  add_field_settings(command, options.input);
+  const auto add_sources = [&options](const std::vector<std::string>& lists) {
+    for(const std::string& list : lists)
+    {
+      std::vector<std::size_t>& sources = options.sources.emplace_back();
+      for(const std::string& word : CLI::detail::split(list, ','))
+        sources.push_back(parse_vertex("--source", word));
+    }
+  };
+  command
+    .add_option_function<std::vector<std::string>>(
+      "--source", add_sources,
+      source_vertices + for_each + "; by default the tips of the meshes that are most alike, if these are connected")
+    ->type_name("UINT")
+    ->allow_extra_args(false);
+}
+
+void add_compare_command(CLI::App& app, Compare_options& options)
+{
+  CLI::App* command =
+    app.add_subcommand("compare", "Tell how far shapes are apart, and which limbs of two are the same");
+  begin_group(*command, "Input");
+  add_mesh_file(*command, "MESHES", options.mesh_paths, options.input);
+  begin_group(*command, "Field");
+  add_fields_of_meshes(*command, options);
+  add_field_option(*command, options.input);
+  add_strict_option(*command, options.input);
+  add_graph_options(*command, options.graph);
+  add_simplification_options(*command, options.simplification);
+  begin_group(*command, "Comparison");
+  add_real_number(*command, "--price-alone", options.price_alone,
+                  "The price of an arc without partner, 1 by default: arcs that differ by more than twice of it are no "
+                  "partners");
+  begin_group(*command, "Output");
+  add_file(*command, "--output", options.matrix_path,
+           "Write the distances of all pairs of meshes to this file, .csv, with a row and a column for each mesh");
+  add_page_options(*command, options, "two surfaces side by side, with arcs that are partners in one color");
+  add_json_option(*command, options.is_report_json);
+  add_example(*command, "reeb_graph compare a.ply b.ply --field geodesic --simplify auto --html page.html");
+  command->callback(
+    [&options] { run_with_threads(options.graph.number_of_threads, [&options] { run_compare(options); }); });
+}
+
 void add_contour_command(CLI::App& app, Contour_options& options)
 {
   CLI::App* command =
@@ -394,6 +442,7 @@ int run(int argc, char** argv)
   app.set_version_flag("--version",
                        "reeb_graph " REEB_GRAPH_VERSION " (CGAL " CGAL_VERSION_STR ", " REEB_GRAPH_COMPILER ")");
   Compute_options compute_options;
+  Compare_options compare_options;
   Contour_options contour_options;
   Curves_options curves_options;
   Command_options field_options;
@@ -415,6 +464,7 @@ int run(int argc, char** argv)
   add_compute_command(app, compute_options)->callback([&options = compute_options] {
     run_with_threads(options.graph.number_of_threads, [&options] { run_compute(options); });
   });
+  add_compare_command(app, compare_options);
   add_contour_command(app, contour_options);
   add_curves_command(app, curves_options);
   add_field_command(app, field_options);

@@ -261,23 +261,30 @@ inline void add_format_option(CLI::App& command)
     ->type_name("NAME");
 }
 
-inline void add_mesh_file(CLI::App& command, Input_options& options)
+// `path` is one name, or several ones.
+template <class Path>
+void add_mesh_file(CLI::App& command, const std::string& name, Path& path, Input_options& options)
 {
-  add_file(command, "MESH", options.mesh_path,
+  add_file(command, name, path,
            "The mesh: an OFF, OBJ, PLY, STL, TS, MESH, VTK, VTU, or VTP file, or - for standard input")
     ->required();
   add_format_option(command);
   command.add_flag("--triangulate", options.are_faces_triangulated, "Cut faces that are not triangles into triangles");
 }
 
-inline void add_input_options(CLI::App& command, Input_options& options)
+inline void add_mesh_file(CLI::App& command, Input_options& options)
 {
-  begin_group(command, "Input");
-  add_mesh_file(command, options);
-  begin_group(command, "Field");
-  add_file(command, "--scalars", options.scalars_path,
-           "A file with the field: one number per line, in the vertex order of the mesh file, or CSV, or NumPy's .npy; "
-           "- for standard input");
+  add_mesh_file(command, "MESH", options.mesh_path, options);
+}
+
+inline std::size_t parse_vertex(const std::string& name, const std::string& text)
+{
+  return parse_whole_number(name, text, {});
+}
+
+// Options of a field but for what each mesh has of its own.
+inline void add_field_settings(CLI::App& command, Input_options& options)
+{
   command.add_option("--column", options.column,
                      "The column of a CSV file with several columns: its name, or its number from 0");
   add_whole_number(command, "--min", options.lowest_vertex,
@@ -286,17 +293,27 @@ inline void add_input_options(CLI::App& command, Input_options& options)
   command
     .add_option("--weights", options.weights, "For harmonic fields: mean-value (the default), cotangent, or uniform")
     ->check(CLI::IsMember({"mean-value", "cotangent", "uniform"}));
-  const auto parse_vertex = [](const std::string& name, const std::string& text) {
-    return parse_whole_number(name, text, {});
-  };
-  add_numbers(command, "--source", options.source_vertices,
-              "For poisson and geodesic: the vertices of value 0, as V,W,...", parse_vertex)
-    ->type_name("UINT")
-    ->allow_extra_args(false);
   add_numbers(command, "--direction", options.direction, "For height: the direction, as X,Y,Z; by default 0,0,1",
               parse_real_number)
     ->type_name("FLOAT")
     ->expected(3);
+}
+
+inline const std::string file_of_scalars =
+  "A file with the field: one number per line, in the vertex order of the mesh file, or CSV, or NumPy's .npy; - for "
+  "standard input";
+inline const std::string source_vertices = "For poisson and geodesic: the vertices of value 0, as V,W,...";
+
+inline void add_input_options(CLI::App& command, Input_options& options)
+{
+  begin_group(command, "Input");
+  add_mesh_file(command, options);
+  begin_group(command, "Field");
+  add_file(command, "--scalars", options.scalars_path, file_of_scalars);
+  add_field_settings(command, options);
+  add_numbers(command, "--source", options.source_vertices, source_vertices, parse_vertex)
+    ->type_name("UINT")
+    ->allow_extra_args(false);
 }
 
 inline void add_strict_option(CLI::App& command, Input_options& options, const std::string& when = "")

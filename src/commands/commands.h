@@ -52,6 +52,16 @@ struct Compute_options : Command_options
   double base = 0;                     // is added to the values of the field in files of graphs and pairs
 };
 
+struct Compare_options : Command_options
+{
+  Graph_options graph;
+  Simplification_options simplification;
+  std::vector<std::string> mesh_paths, scalars_paths; // one field for all meshes, or one for each; so are sources
+  std::vector<std::vector<std::size_t>> sources;
+  std::string matrix_path;
+  double price_alone = 1; // of an arc without partner
+};
+
 struct Contour_options : Command_options
 {
   Contour_choice choice;
@@ -121,6 +131,7 @@ void write_pairs_and_diagram(const Compute_options& options,
 
 // They print to standard output, or to standard error if a file is written there, and throw an exception derived from std::exception for any error.
 void run_compute(const Compute_options& options);
+void run_compare(const Compare_options& options);
 void run_contour(const Contour_options& options);
 void run_curves(Curves_options options);
 void run_field(const Command_options& options);

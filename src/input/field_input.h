@@ -64,7 +64,8 @@ struct Limit
 
 constexpr std::string_view no_surface = "the mesh is not an oriented manifold surface";
 
-constexpr std::array<Limit, 11> limits = {{
+constexpr std::array<Limit, 12> limits = {{
+  {"compare", false, false, false, no_surface},
   {"curves", false, false, false, no_surface},
   {"handles", false, false, false, no_surface},
   {"skeleton", false, false, false, no_surface},

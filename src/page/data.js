@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* exported readPageData, rangeOf */
+/* global joinShapes */
+/* exported boxOf, readPageData, rangeOf */
 
 // The data that the program has put into the page.
 
@@ -53,11 +54,13 @@ function decodeLevel(level, range, columns) {
 }
 
 function decodeSurface(surface) {
+  const positions = decodeNumbers(surface.positions, Float32Array);
   return {
     facesOfInput: surface.faces_of_input,
     isDecimated: surface.is_decimated,
     origin: surface.origin, // of all coordinates in the page
-    positions: decodeNumbers(surface.positions, Float32Array),
+    positions,
+    seenPositions: positions, // for an eye that is to see all
     values: decodeNumbers(surface.values, Float64Array),
     triangles: decodeNumbers(surface.triangles, Uint32Array),
     vertexArcs: decodeNumbers(surface.vertex_arcs, Int32Array),
@@ -75,8 +78,21 @@ function rangeOf(numbers, first = 0, step = 1) {
   return low <= high ? {low, high} : {low: 0, high: 1};
 }
 
+// The center of the box of points, and its diagonal.
+function boxOf(positions) {
+  const ranges = [0, 1, 2].map(i => rangeOf(positions, i, 3));
+  return {
+    center: ranges.map(range => (range.low + range.high) / 2),
+    size: Math.sqrt(ranges.reduce((sum, range) => sum + Math.pow(range.high - range.low, 2), 0)) || 1
+  };
+}
+
 function readPageData(text) {
-  const data = JSON.parse(text);
+  const data = JSON.parse(text), shape = decodeData(data);
+  return data.other ? joinShapes(shape, decodeData(data.other), data.partners, Number(data.distance)) : shape;
+}
+
+function decodeData(data) {
   if (data.version !== 1)
     throw new Error("This page cannot read data of version " + data.version + ".");
   const surface = decodeSurface(data.surface);
@@ -88,6 +104,9 @@ function readPageData(text) {
     skeleton: data.skeleton, // its counts, or null for a Reeb graph
     field: data.field,
     surface,
+    posedSurface: surface, // which tells what is up
+    shapes: [{title: data.title, shift: 0, firstArc: 0, firstNode: 0}], // side by side
+    partners: null, // of arcs, where two shapes are compared
     range,
     columns: data.columns, // what is told of each arc
     graph: decodeGraph(data.graph, range, data.columns),

@@ -136,10 +136,10 @@ class Drawing {
 
   setLit(target) {
     this.container.classList.toggle("has_lit", target !== null && target.arc !== undefined);
-    this.arcPaths.forEach((path, i) => path.classList.toggle("lit", target !== null && target.arc === i));
+    const arcs = target !== null && target.arc !== undefined ? this.view.litWith(target.arc) : [];
+    this.arcPaths.forEach((path, i) => path.classList.toggle("lit", arcs.includes(i)));
     this.nodeShapes.forEach((shape, i) => {
-      const arc = target !== null && target.arc !== undefined ? this.view.arcs[target.arc] : null;
-      const isEnd = arc !== null && (arc.source === i || arc.target === i);
+      const isEnd = arcs.some(arc => this.view.arcs[arc].source === i || this.view.arcs[arc].target === i);
       shape.classList.toggle("lit", isEnd || (target !== null && target.node === i));
     });
   }

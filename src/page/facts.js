@@ -19,6 +19,10 @@ class Facts {
     this.view = view;
     this.loops = view.arcs.length - view.nodes.length + view.countComponents();
     const components = view.countComponents(), {skeleton} = this.data;
+    if (this.data.partners) {
+      element("summary").textContent = this.tellComparison();
+      return;
+    }
     const counts = skeleton ? [[skeleton.ends, "end"], [skeleton.junctions, "junction"]]
       : [[view.nodes.length, "node"]];
     counts.push([view.arcs.length, "arc"], [this.loops, "loop"]);
@@ -26,6 +30,12 @@ class Facts {
       + counts.map(([count, noun]) => plural(count, noun)).join(", ")
       + (components > 1 ? ", " + plural(components, "component") : "")
       + " on " + plural(this.data.surface.facesOfInput, "triangle");
+  }
+
+  tellComparison() {
+    const {partners, distance} = this.data, alone = partners.filter(partner => partner === null).length;
+    return "Compared by " + nameOfField(this.data) + ": distance " + formatValue(distance, this.unit) + ", "
+      + plural((partners.length - alone) / 2, "pair") + " of arcs, " + plural(alone, "arc") + " without partner";
   }
 
   // Shows the facts of an arc {arc}, with its contour or ball, or of a node {node}, or how to read a graph.
@@ -74,12 +84,14 @@ class Facts {
     const {view, unit} = this, arc = view.arcs[number];
     const end = node =>
       node.kind + " at " + formatValue(node.value, unit) + " (" + this.nameOfVertex + " " + node.vertex + ")";
-    element("facts_heading").textContent = "Arc " + number;
+    element("facts_heading").textContent = "Arc " + view.nameOf(number, "firstArc");
     addElement(text, "p", (this.data.skeleton ? "A line and its" : "One") + " piece of the surface. At its lower end "
       + this.tellEnd(arc.source)
       + ", at its upper end " + this.tellEnd(arc.target) + ".");
     const rows = this.data.skeleton ? this.showBall(text, place) : [];
+    const partner = view.partners && view.partners[number];
     this.addList(text, rows.concat(
+      view.partners ? [["partner", partner === null ? "none" : "arc " + view.nameOf(partner, "firstArc")]] : [],
       [["upper end", end(view.upper(number))], ["lower end", end(view.lower(number))]],
       this.data.columns.map(({name, unit: kind}) => [name.replace(/_/g, " "), this.format(arc[name], kind)]),
       place && !this.data.skeleton ? [["contour at", formatValue(place.value, unit)]] : []));
@@ -107,7 +119,7 @@ class Facts {
 
   showNode(text, number, ball) {
     const {view} = this, node = view.nodes[number];
-    element("facts_heading").textContent = "Node " + number + ": " + node.kind;
+    element("facts_heading").textContent = "Node " + view.nameOf(number, "firstNode") + ": " + node.kind;
     addElement(text, "p", "Here " + this.tellEnd(number) + ".");
     this.addList(text, [
       ["value", formatValue(node.value, this.unit)],
@@ -116,9 +128,13 @@ class Facts {
       ["inscribed radius", formatValue(ball.inscribedRadius, this.unit)],
       ["radius", formatValue(ball.radius, this.unit)]
     ] : [], [
-      ["arcs above", view.arcsAbove[number].join(", ") || "none"],
-      ["arcs below", view.arcsBelow[number].join(", ") || "none"]
+      ["arcs above", this.listArcs(view.arcsAbove[number])],
+      ["arcs below", this.listArcs(view.arcsBelow[number])]
     ]));
+  }
+
+  listArcs(arcs) {
+    return arcs.map(arc => this.view.nameOf(arc, "firstArc")).join(", ") || "none";
   }
 
   addList(text, rows) {
@@ -136,14 +152,16 @@ class Facts {
 
   tellArc(number) {
     const {view, unit} = this, lower = view.lower(number), upper = view.upper(number);
-    return "Arc " + number + " of " + view.arcs.length + ", from a " + lower.kind + " at "
+    const name = view.partners ? view.nameOf(number, "firstArc") : number + " of " + view.arcs.length;
+    return "Arc " + name + ", from a " + lower.kind + " at "
       + formatValue(lower.value, unit) + " to a " + upper.kind + " at " + formatValue(upper.value, unit) + ", "
       + plural(view.arcs[number].vertices, "vertex", "vertices");
   }
 
   tellNode(number) {
     const node = this.view.nodes[number];
-    return "Node " + number + ", a " + node.kind + " at " + formatValue(node.value, this.unit) + ": here "
+    return "Node " + this.view.nameOf(number, "firstNode") + ", a " + node.kind + " at "
+      + formatValue(node.value, this.unit) + ": here "
       + this.tellEnd(number);
   }
 }

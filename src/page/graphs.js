@@ -64,6 +64,8 @@ class GraphView {
     const level = data.levels[number];
     const graph = level.graph || data.graph;
     this.number = number;
+    this.shapes = data.shapes;
+    this.partners = data.partners;
     this.threshold = level.threshold;
     this.nodes = graph.nodes;
     this.arcs = graph.arcs.map((arc, i) => Object.assign({parts: [i]}, arc));
@@ -82,6 +84,17 @@ class GraphView {
   placeOf(given) {
     const numberOfArcs = this.placeOfGivenArc.length;
     return given < numberOfArcs ? this.placeOfGivenArc[given] : this.placeOfGivenNode[given - numberOfArcs];
+  }
+
+  // What lights up with an arc: its partner does.
+  litWith(arc) {
+    return this.partners && this.partners[arc] !== null ? [arc, this.partners[arc]] : [arc];
+  }
+
+  // An arc or a node is named by its number in its shape, and by the shape where there are two.
+  nameOf(number, first) {
+    const shape = this.shapes.reduce((last, other) => number >= other[first] ? other : last);
+    return number - shape[first] + (this.shapes.length > 1 ? " of " + shape.title : "");
   }
 
   value(arc, t) {
@@ -199,6 +212,8 @@ class GraphView {
 
 // What the given nodes belong to: nodes that are left keep themselves, other ones are where their arcs are.
 function makePlacesOfNodes(given, placeOfGivenArc, view) {
+  if (view.nodes === given.nodes)
+    return given.nodes.map((_, i) => -1 - i);
   const numbers = new Map(view.nodes.map((node, i) => [node.vertex, i]));
   const places = given.nodes.map(node => numbers.has(node.vertex) ? -1 - numbers.get(node.vertex) : null);
   given.arcs.forEach((arc, i) => [arc.source, arc.target].forEach(node => {

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global ColorBar, Drawing, Facts, GraphView, Scene, distinctColors, element, findPatchNeighbors, formatValue,
-   kindColors, makeContourTracer, plural, readPageData, setUpControls, showFailure, showTexts */
+/* global ColorBar, Drawing, Facts, GraphView, Scene, colorsOfPartners, distinctColors, element, findPatchNeighbors,
+   formatValue, kindColors, makeContourTracer, plural, readPageData, setUpControls, showFailure, showTexts */
 
 // What the page does: it holds what is pointed at and kept, and tells the view, the drawing and the texts.
 
@@ -25,7 +25,8 @@ class Page {
     this.data = data;
     this.trace = makeContourTracer(data);
     this.state = {
-      level: 0, coloring: data.skeleton ? "arcs" : data.surface.facePatches ? "patches" : "field", opacity: 0.55,
+      level: 0, opacity: 0.55,
+      coloring: data.skeleton || data.partners ? "arcs" : data.surface.facePatches ? "patches" : "field",
       pointed: null, kept: null, place: 0.5, pointedPlace: 0.5, contour: null, ball: null
     };
     this.views = data.levels.map(() => null);
@@ -181,7 +182,7 @@ class Page {
     const places = parts.map(part => view.placeOf(part)).filter(place => place >= 0);
     if (places.length > 0)
       state.kept = {arc: places[0]};
-    this.arcColors = distinctColors(view.neighbors());
+    this.arcColors = view.partners ? colorsOfPartners(view) : distinctColors(view.neighbors());
     if (this.scene)
       this.scene.setView(view, this.arcColors, node => kindColors[node.kind] || kindColors.isolated);
     this.facts.setView(view);

@@ -413,4 +413,19 @@ nlohmann::ordered_json page_data(const Page_request& request, Mesh_graph& shown)
   return data;
 }
 
+nlohmann::ordered_json page_data(const Page_of_shapes& page)
+{
+  const auto data_of = [](const Page_request& request) {
+    nlohmann::ordered_json data = page_data(request, request.graph);
+    data["levels"].erase(data["levels"].begin() + 1, data["levels"].end());
+    data["ticks"] = nlohmann::ordered_json::array();
+    return data;
+  };
+  nlohmann::ordered_json data = data_of(page.a);
+  data["other"] = data_of(page.b);
+  data["partners"] = page.partners;
+  data["distance"] = number_or_string(page.distance);
+  return data;
+}
+
 } // namespace reeb_graph_program

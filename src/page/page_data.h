@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reeb_graph_program {
@@ -125,6 +126,14 @@ struct Page_request
   std::vector<Loop_row> loops = {}; // what each curve is, if they are handles, tunnels and the like
 };
 
+// Two shapes, and which of their arcs are partners, by their numbers.
+struct Page_of_shapes
+{
+  Page_request a, b;
+  std::vector<std::pair<std::size_t, std::size_t>> partners;
+  double distance;
+};
+
 // The data of the page, which its script src/page/data.js reads, with a graph that may be smaller than that of the request.
 //
 // Arrays of numbers that belong to the surface are base64 codes of little-endian numbers. All points are relative to
@@ -144,6 +153,10 @@ struct Page_request
 // the place of vertices, and arcs, which have neither chains nor contours, rise and fall in the plane where a loop closes. These
 // have the two radii of each point, and, of each segment, whether it lies in a junction.
 nlohmann::ordered_json page_data(const Page_request& request, Mesh_graph& shown);
+
+// The data of the one shape, with those of the other one as `other`, and what they have in common. Neither has levels but
+// the first.
+nlohmann::ordered_json page_data(const Page_of_shapes& page);
 
 // What the data of the page of a skeleton are made of.
 struct Page_of_skeleton

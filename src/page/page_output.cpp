@@ -144,4 +144,10 @@ void write_page(const fs::path& path, const Page_of_skeleton& page)
   write_data(path, page_data(page));
 }
 
+void write_page(const fs::path& path, const Page_of_shapes& page)
+{
+  const Progress_bar progress_bar("page");
+  write_data(path, page_data(page));
+}
+
 } // namespace reeb_graph_program

@@ -26,6 +26,7 @@ void check_page(const std::filesystem::path& path, const std::string& up);
 // simplified until no more are left.
 void write_page(const std::filesystem::path& path, const Page_request& request);
 void write_page(const std::filesystem::path& path, const Page_of_skeleton& page);
+void write_page(const std::filesystem::path& path, const Page_of_shapes& page);
 
 } // namespace reeb_graph_program
 

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-/* global cross, dot, normalized, rangeOf */
+/* global boxOf, cross, dot, normalized, rangeOf */
 /* exported findPose, distanceToSeeAll, cornerNormals */
 
 // How a surface is looked at: where it is, which way is up, and its normals.
@@ -108,17 +108,13 @@ function faceForward(direction, up) {
 // looked at.
 function findPose(surface, nameOfUp = "") {
   const {positions} = surface;
-  const ranges = [0, 1, 2].map(i => rangeOf(positions, i, 3));
+  const {center, size} = boxOf(positions);
   const up = findUp(surface, nameOfUp);
   const thin = faceForward(findThinDirection(positions, up), up), side = cross(up, thin);
   const turn = 0.42, lift = 0.24;
   const towardsEye = normalized([0, 1, 2].map(i =>
     Math.cos(lift) * (Math.cos(turn) * thin[i] + Math.sin(turn) * side[i]) + Math.sin(lift) * up[i]));
-  return {
-    center: ranges.map(range => (range.low + range.high) / 2),
-    size: Math.sqrt(ranges.reduce((sum, range) => sum + Math.pow(range.high - range.low, 2), 0)) || 1,
-    up, towardsEye
-  };
+  return {center, size, up, towardsEye};
 }
 
 // How far from its center an eye has to be that sees the whole surface, with a vertical field of view in degrees.

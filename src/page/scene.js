@@ -31,7 +31,7 @@ class Scene {
     this.areNumbersOld = true;
     this.isDrawingRequested = false;
     this.drawings = 0;
-    this.pose = findPose(data.surface, data.up);
+    this.pose = findPose(data.posedSurface, data.up);
     this.fieldColors = makeFieldColors();
     this.dimColor = new THREE.Color(0.7, 0.7, 0.7);
     this.outline = new THREE.Color(0.1, 0.1, 0.1);
@@ -43,15 +43,15 @@ class Scene {
   }
 
   makeEye() {
-    return new ViewCamera(this.canvas, this.data.surface.positions, this.pose, () => this.requestDrawing());
+    return new ViewCamera(this.canvas, this.data.surface.seenPositions, this.pose, () => this.requestDrawing());
   }
 
   // Looks at the surface with this way upwards: x, y, z, -x, -y, -z, or "" for the one that is found.
   setUp(name) {
-    this.pose = findPose(this.data.surface, name);
+    this.pose = findPose(this.data.posedSurface, name);
     this.eye.dispose();
     this.eye = this.makeEye();
-    this.eye.setAspect(this.width / this.height);
+    this.eye.setAspect(this.widthOfShape / this.height);
     this.requestDrawing();
   }
 
@@ -155,7 +155,7 @@ class Scene {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(this.width, this.height, false);
     this.numberTarget.setSize(this.width, this.height);
-    this.eye.setAspect(this.width / this.height);
+    this.eye.setAspect(this.widthOfShape / this.height);
     this.requestDrawing();
   }
 
@@ -315,15 +315,15 @@ class Scene {
 
   // Lights an arc {arc} or a node {node} and dims the rest, or nothing.
   setLit(target) {
-    const isArcLit = target !== null && target.arc !== undefined;
-    const light = arc => isArcLit ? (arc === target.arc ? lit : dimmed) : unlit;
+    const isArcLit = target !== null && target.arc !== undefined, arcs = isArcLit ? this.view.litWith(target.arc) : [];
+    const light = arc => isArcLit ? (arcs.includes(arc) ? lit : dimmed) : unlit;
     this.placeTable.setLight(place => light(this.view.placeOf(place)));
     this.arcTable.setLight(light);
     this.junctionTable.setLight(light);
-    const arc = isArcLit ? this.view.arcs[target.arc] : null, ends = isArcLit ? [arc.source, arc.target] : [];
+    const ends = [].concat(...arcs.map(arc => [this.view.arcs[arc].source, this.view.arcs[arc].target]));
     this.remove(this.litArc);
-    const lines = isArcLit ? [{points: arc.polyline, isClosed: false, id: 0}] : [];
-    const sleeves = isArcLit ? this.junctionLines(arc, target.arc) : [];
+    const lines = arcs.map(arc => ({points: this.view.arcs[arc].polyline, isClosed: false, id: 0}));
+    const sleeves = [].concat(...arcs.map(arc => this.junctionLines(this.view.arcs[arc], arc)));
     this.litArc = this.makeShiningTubes(lines, 1.3 * this.tubeRadius, this.litTable, 14).concat(
       this.makeShiningTubes(sleeves, 1.5 * this.tubeRadius, this.junctionTable, 16));
     this.showLayers();
@@ -385,11 +385,36 @@ class Scene {
     });
   }
 
+  get widthOfShape() {
+    return Math.max(1, Math.floor(this.width / this.data.shapes.length));
+  }
+
   draw() {
     if (!this.width)
       return;
     ++this.drawings;
-    this.renderer.render(this.scene, this.eye.camera);
+    this.render(this.scene, null);
+  }
+
+  // Draws the shapes side by side, on the canvas or another target, each as the eye sees it.
+  render(scene, target) {
+    const {renderer, widthOfShape, height} = this;
+    this.data.shapes.forEach(({shift}, i) => {
+      scene.position.x = -shift;
+      const rectangle = [i * widthOfShape, 0, widthOfShape, height];
+      if (target) {
+        target.viewport.set(...rectangle);
+        target.scissor.set(...rectangle);
+        target.scissorTest = true;
+      } else {
+        renderer.setViewport(...rectangle);
+        renderer.setScissor(...rectangle);
+        renderer.setScissorTest(true);
+      }
+      renderer.setRenderTarget(target);
+      renderer.clear();
+      renderer.render(scene, this.eye.camera);
+    });
   }
 
   // What is at a place of the canvas, in pixels of the page: {arc}, {node}, or null. Lines alone are thin: near is
@@ -403,10 +428,8 @@ class Scene {
         object.visible = isGraphSeen;
       });
       const color = this.renderer.getClearColor(new THREE.Color()).clone(), alpha = this.renderer.getClearAlpha();
-      this.renderer.setRenderTarget(this.numberTarget);
       this.renderer.setClearColor(0, 0);
-      this.renderer.clear();
-      this.renderer.render(this.numberScene, this.eye.camera);
+      this.render(this.numberScene, this.numberTarget);
       this.renderer.setRenderTarget(null);
       this.renderer.setClearColor(color, alpha);
       this.areNumbersOld = false;
@@ -448,6 +471,10 @@ class Scene {
 
   // Where a point of the data is on the canvas, in pixels of the page.
   project(point) {
-    return this.eye.project(point.map((x, i) => x - this.pose.center[i]), this.width, this.height);
+    const {shapes} = this.data, {shift, i} = shapes.map((shape, number) => ({shift: shape.shift, i: number}))
+      .reduce((best, shape) => point[0] - this.pose.center[0] > shape.shift / 2 ? shape : best);
+    const seen = point.map((x, axis) => x - this.pose.center[axis] - (axis === 0 ? shift : 0));
+    const [x, y] = this.eye.project(seen, this.widthOfShape, this.height);
+    return [x + i * this.widthOfShape, y];
   }
 }

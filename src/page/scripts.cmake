@@ -1,6 +1,7 @@
 # The scripts of the page in the order in which they follow each other in it. Those before shaders.js need no browser.
 set(reeb_graph_page_scripts
     colors.js
+    comparisons.js
     data.js
     contours.js
     bands.js

@@ -46,8 +46,10 @@ const meaningsOfKinds = {
 };
 
 // What the page does not show, as it would be too much.
-function showNotice({surface, graph, field, arcsOfInput, threshold}) {
+function showNotice({surface, graph, field, arcsOfInput, threshold, shapes}) {
   const notices = [];
+  if (shapes.length > 1)
+    notices.push("Left " + shapes[0].title + ", right " + shapes[1].title + ", each as large as the other.");
   if (surface.isDecimated) {
     notices.push("Shown with " + (surface.triangles.length / 3).toLocaleString("en") + " of "
       + plural(surface.facesOfInput, "triangle") + ". The graph and its contours are those of all.");

@@ -649,6 +649,26 @@ def test_nothing_lies_on_the_surface(data):
     load("torus.html")
 
 
+def test_two_shapes():
+    write_torus("first.off", 48, 24)
+    write_torus("second.off", 40, 20)
+    run("compare", "first.off", "second.off", "--field", "z", "--simplify", "20%", "--html", "two.html")
+    load("two.html")
+    data = data_of_page()
+    assert "pairs of arcs" in browser.find_element(By.ID, "summary").text
+    for shape in (0, 1):
+        before, pair = picture(), data["partners"][0]
+        arc = pair[shape] + shape * len(data["graph"]["arcs"])
+        click(*in_drawing(arc, 0.5))
+        assert f"Arc {pair[shape]} of {('first', 'second')[shape]}.off" in browser.find_element(By.ID, "facts").text
+        assert len(browser.find_elements(By.CSS_SELECTOR, ".arc.lit")) == 2
+        changed = [i % 200 // 100 for i, (old, new) in enumerate(zip(before, picture())) if old != new]
+        assert min(changed.count(0), changed.count(1)) > 50  # in both halves
+        press(Keys.ESCAPE)
+    click(*on_canvas(middle(data["graph"]["arcs"][0])))
+    assert state()["kept"] is not None and len(browser.find_elements(By.CSS_SELECTOR, ".arc.lit")) == 2
+
+
 def test_least_surfaces():
     for name, off in [("vertex", "OFF\n1 0 0\n1 2 3\n"),
                       ("level", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n")]:
@@ -695,7 +715,8 @@ def test_all():
         test(data)
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")
-    for test in [test_patches_and_curves, test_loops, test_removal, test_skeleton, test_wide_drawing, test_cut_scan, test_lines_inside_of_a_cut_scan, test_least_surfaces, test_large_surface]:
+    for test in [test_patches_and_curves, test_loops, test_removal, test_skeleton, test_wide_drawing, test_cut_scan, test_lines_inside_of_a_cut_scan, test_two_shapes,
+                 test_least_surfaces, test_large_surface]:
         test()
         assert_no_complaint(test.__name__)
         print(f"ok: {test.__name__}")

@@ -354,6 +354,32 @@ const tests = {
     assert.deepStrictEqual(page.niceTicks(2, 2, 4), [2]);
   },
 
+  "two shapes are joined"() {
+    const [one, other] = subjects;
+    run("compare", "torus.off", "smooth_torus.off", "--field", "z", "--simplify", "20%", "--html", "two.html");
+    const data = page.readPageData(page.dataOfPage(path.join(folder, "two.html"))), view = new page.GraphView(data, 0);
+    const [first, second] = data.shapes, {values, triangles, vertexArcs, positions} = data.surface;
+    assert.strictEqual(data.title, "torus.off and smooth_torus.off");
+    assert.strictEqual(values.length, one.data.surface.values.length + other.data.surface.values.length);
+    assert.strictEqual(Math.max(...triangles), values.length - 1);
+    assert.strictEqual(Math.max(...vertexArcs), view.arcs.length - 1);
+    assert.ok(positions[positions.length - 3] > 20 * other.data.surface.positions[0], "it is out of sight");
+    view.arcs.forEach((arc, i) => {
+      const isFirst = i < second.firstArc, partner = data.partners[i];
+      assert.strictEqual(arc.source < second.firstNode, isFirst);
+      assert.strictEqual(view.nameOf(i, "firstArc"),
+                         isFirst ? i + " of " + first.title : i - second.firstArc + " of " + second.title);
+      assert.deepStrictEqual(view.litWith(i), partner === null ? [i] : [i, partner]);
+      assert.ok(partner === null || (data.partners[partner] === i && (partner < second.firstArc) !== isFirst));
+      const contour = page.makeContourTracer(data)(view, i, 0.5);
+      assert.ok(contour.points.length > 8 && (contour.points[0] > 20) !== isFirst);
+    });
+    const colors = page.colorsOfPartners(view);
+    data.partners.forEach((partner, i) =>
+      assert.deepStrictEqual(colors[i], partner === null ? [0.6, 0.6, 0.6] : colors[partner]));
+    assert.strictEqual(data.partners.filter(partner => partner !== null).length, 8);
+  },
+
   "patches that touch are neighbours"() {
     assert.deepStrictEqual(page.findPatchNeighbors([0, 1, 2, 2, 1, 3, 3, 4, 5, 6, 7, 8], [0, 1, 1, 2]), [[1], [0], []]);
   }

@@ -22,7 +22,7 @@ function(expect_errors_of_files name begin)
 endfunction()
 
 # the command line
-expect_error("a command is needed: compute, contour, curves, field, handles, repair, skeleton, demo")
+expect_error("a command is needed: compute, compare, contour, curves, field, handles, repair, skeleton, demo")
 expect_error("there is no command 'paint': compute" paint tetrahedron.off)
 expect_error("MESH" compute)
 expect_error("" compute tetrahedron.off)

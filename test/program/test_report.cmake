@@ -72,7 +72,7 @@ expect_match("${output}" "3 minima, 1 saddle [(]1 of multiplicity 2[)], 3 maxima
 expect_match("${output}" "7 nodes, 6 arcs, 0 loops")
 
 # The help fits into a window, has its options in groups, and ends with an example; shells complete the same options.
-foreach(command "" compute contour curves field handles repair skeleton demo)
+foreach(command "" compute compare contour curves field handles repair skeleton demo)
   expect_success(${command} --help)
   string(REPLACE ";" "," lines "${output}")
   string(REPLACE "\n" ";" lines "${lines}")
@@ -111,7 +111,7 @@ foreach(shell bash zsh fish)
     message(STATUS "SKIPPED: ${shell}, whose completion is tested, is not installed")
     continue()
   endif()
-  foreach(command compute contour curves field handles repair skeleton demo)
+  foreach(command compute compare contour curves field handles repair skeleton demo)
     # fish writes into HOME, and says where it cannot.
     execute_process(COMMAND ${CMAKE_COMMAND} -E env HOME=${CMAKE_CURRENT_BINARY_DIR}
                             ${SHELL_${shell}} -c "${offered_by_${shell}}" ${PROGRAM} ${command}
@@ -145,7 +145,7 @@ endforeach()
 find_program(GROFF groff)
 execute_process(COMMAND ${CMAKE_COMMAND} -D PROGRAM=${PROGRAM} -D FOLDER=${CMAKE_CURRENT_BINARY_DIR}/pages
                         -P ${CMAKE_CURRENT_LIST_DIR}/../../cmake/write_manual_pages.cmake COMMAND_ERROR_IS_FATAL ANY)
-foreach(command compute contour curves field handles repair skeleton demo)
+foreach(command compute compare contour curves field handles repair skeleton demo)
   set(file ${CMAKE_CURRENT_BINARY_DIR}/pages/man1/reeb_graph-${command}.1)
   file(READ ${file} page)
   string(REPLACE "\\-" "-" page "${page}")

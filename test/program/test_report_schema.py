@@ -61,6 +61,10 @@ commands += [
     ["handles", "crossed.off"], ["handles", "crossed.off", "--ignore-self-intersections"],
     ["handles", "volume.mesh"], ["skeleton", "volume.mesh", "--from", "0,0,0"], ["repair", "volume.mesh", "--output", "a.off"],
 ]
+commands += [
+    ["compare", surface, surface, "--field", "geodesic", "--simplify", "auto"], ["compare", "sheet.off", surface, "--field", "z"],
+    ["compare", "closed.off", "open.off", "volume.mesh", "--field", "z"],
+]
 commands += [["field", surface, "--type", kind, "--output", "field.txt"]
              for kind in ("harmonic", "harmonic-between-borders", "poisson", "unit-gradient", "geodesic", "height")]
 commands += [["curves", surface, "--type", kind, "--field", "z"] for kind in ("branch", "cutting-system", "disks")]

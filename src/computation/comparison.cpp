@@ -1,0 +1,100 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include "computation/comparison.h"
+
+#include "base/progress_bar.h"
+
+#include <CGAL/Reeb_graph/comparison/match_arcs.h>
+#include <CGAL/Reeb_graph/comparison/match_tips.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+namespace reeb_graph_program {
+Persistence_values find_persistence_values(const Graph& graph, double base)
+{
+  Persistence_values values;
+  CGAL::Reeb_graph::persistence_values(graph, std::back_inserter(values));
+  for(auto& pair : values)
+  {
+    pair.lower += base;
+    pair.upper += base;
+  }
+  return values;
+}
+
+std::vector<std::pair<std::string, double>> distances_by_kind(const Persistence_values& a, const Persistence_values& b)
+{
+  using CGAL::Reeb_graph::Persistence_pair_kind;
+  std::vector<std::pair<std::string, double>> distances;
+  for(const Persistence_pair_kind kind : {Persistence_pair_kind::MINIMUM_SADDLE, Persistence_pair_kind::SADDLE_MAXIMUM,
+                                          Persistence_pair_kind::MINIMUM_MAXIMUM, Persistence_pair_kind::LOOP})
+  {
+    const auto of_kind = [kind](const Persistence_values& pairs) {
+      Persistence_values result;
+      std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(result),
+                   [kind](const auto& pair) { return pair.kind == kind; });
+      return result;
+    };
+    distances.emplace_back(to_string(kind), distance(of_kind(a), of_kind(b)));
+  }
+  return distances;
+}
+
+double distance(const Persistence_values& a, const Persistence_values& b)
+{
+  return CGAL::Reeb_graph::bottleneck_distance(a, b);
+}
+
+Partners match_arcs(Mesh_graph& a, Mesh_graph& b, double price_alone)
+{
+  typedef boost::graph_traits<Graph>::edge_descriptor Arc;
+  std::vector<std::pair<Arc, Arc>> arcs;
+  const Augmentation &augmentation_a = a.surface_augmentation(), &augmentation_b = b.surface_augmentation();
+  CGAL::Reeb_graph::match_arcs(augmentation_a.graph(), augmentation_a, augmentation_b.graph(), augmentation_b,
+                               std::back_inserter(arcs), CGAL::parameters::price_alone(price_alone));
+  Partners partners;
+  for(const auto& [arc_a, arc_b] : arcs)
+    partners.emplace_back(get(boost::edge_index, augmentation_a.graph(), arc_a),
+                          get(boost::edge_index, augmentation_b.graph(), arc_b));
+  return partners;
+}
+
+std::vector<std::size_t> find_like_tips(const std::vector<const Surface*>& surfaces)
+{
+  typedef Surface::Vertex_index Vertex;
+  Progress_bar progress_bar("tips");
+  struct Choice
+  {
+    std::vector<std::size_t> tips;
+    double price = 0;
+  };
+  std::map<Vertex, Choice> choices; // by tip of the first surface
+  for(std::size_t i = 1; i < surfaces.size(); ++i)
+  {
+    std::vector<CGAL::Reeb_graph::Tip_pair<Vertex, Vertex>> pairs;
+    CGAL::Reeb_graph::match_tips(*surfaces.front(), *surfaces[i], std::back_inserter(pairs));
+    for(const auto& pair : pairs)
+    {
+      Choice& choice = choices[pair.tip_a];
+      choice.tips.resize(i, pair.tip_a);
+      choice.tips.push_back(pair.tip_b);
+      choice.price += pair.price;
+    }
+    progress_bar(static_cast<double>(i) / static_cast<double>(surfaces.size()));
+  }
+  const Choice* best = nullptr;
+  for(const auto& [tip, choice] : choices)
+    if(choice.tips.size() == surfaces.size() && (best == nullptr || choice.price < best->price))
+      best = &choice;
+  return best == nullptr ? std::vector<std::size_t>() : best->tips;
+}
+
+} // namespace reeb_graph_program
