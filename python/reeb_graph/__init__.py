@@ -17,6 +17,9 @@ cut_along_levels    cuts a surface where the scalars have given values
 cut_to_disks        cuts a surface to disks, to flatten it
 handles             short handles and tunnels of a surface, and where they are
 remove_handles      cuts small ones
+compare             tells how far two shapes are from each other, and which arcs stand for the same: a `Comparison`
+distances           the distances of many shapes from each other
+like_tips           vertices of meshes that stand for the same place, as sources of fields to compare
 skeleton            lines inside of a surface, with radii: a `Skeleton`
 read                reads a mesh file; all functions take its name in the place of triangles, too
 mesh_arrays         takes the arrays of a mesh of trimesh, PyVista, meshio, or VTK
@@ -42,6 +45,7 @@ except ImportError as error:
     ) from error
 
 from ._arrays import Mesh, mesh_arrays, read
+from ._comparison import Comparison, compare, distances, like_tips
 from ._errors import MeshError, NumberError, StoppedError
 from ._functions import Cut, branches, cutting_system, geodesic, harmonic, height, make_borders_level, pants, poisson
 from ._functions import Repaired, cut_along_levels, cut_to_disks, repair, unit_gradient
@@ -52,7 +56,8 @@ from ._skeleton import Skeleton, skeleton
 
 __version__ = _core.__version__
 # Without `Contour`, whose 2,000 inherited lines would be most of what `help(reeb_graph)` shows.
-__all__ = ["CriticalSet", "Cut", "Embedding", "Handles", "Loop", "Mesh", "MeshError", "NumberError", "ReebGraph"]
-__all__ += ["Repaired", "Skeleton", "StoppedError", "WithoutHandles", "branches", "compute", "cut_along_levels"]
-__all__ += ["cut_to_disks", "cutting_system", "geodesic", "handles", "harmonic", "height", "make_borders_level"]
-__all__ += ["mesh_arrays", "pants", "poisson", "read", "remove_handles", "repair", "skeleton", "unit_gradient"]
+__all__ = ["Comparison", "CriticalSet", "Cut", "Embedding", "Handles", "Loop", "Mesh", "MeshError", "NumberError"]
+__all__ += ["ReebGraph", "Repaired", "Skeleton", "StoppedError", "WithoutHandles", "branches", "compare", "compute"]
+__all__ += ["cut_along_levels", "cut_to_disks", "cutting_system", "distances", "geodesic", "handles", "harmonic"]
+__all__ += ["height", "like_tips", "make_borders_level", "mesh_arrays", "pants", "poisson", "read", "remove_handles"]
+__all__ += ["repair", "skeleton", "unit_gradient"]

@@ -11,6 +11,7 @@
 #include "base/surface.h"
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
+#include "computation/comparison.h"
 #include "computation/curves.h"
 #include "computation/handles.h"
 #include "computation/scalar_fields.h"
@@ -643,6 +644,74 @@ void write_skeleton_file(const std::filesystem::path& path,
   write_skeleton(path, skeleton, options);
 }
 
+// The pairs of graphs before they were simplified. Bases are added to their values.
+std::vector<Persistence_values> persistence_values(const std::vector<Graph_pointer>& graphs,
+                                                   const std::vector<double>& bases)
+{
+  std::vector<Persistence_values> values;
+  for(std::size_t i = 0; i != graphs.size(); ++i)
+  {
+    const std::lock_guard lock(graphs[i]->input->mutex);
+    values.push_back(find_persistence_values(graphs[i]->mesh_graph->given(), bases[i]));
+  }
+  return values;
+}
+
+py::object compare(const std::vector<Graph_pointer>& graphs,
+                   const std::vector<double>& bases,
+                   double price_alone,
+                   Run& run)
+{
+  std::vector<std::pair<std::string, double>> by_kind;
+  Partners partners;
+  run([&] {
+    const auto values = persistence_values(graphs, bases);
+    by_kind = distances_by_kind(values[0], values[1]);
+    std::unique_lock first(graphs[0]->input->mutex, std::defer_lock), second(graphs[1]->input->mutex, std::defer_lock);
+    if(graphs[0]->input == graphs[1]->input)
+      first.lock();
+    else
+      std::lock(first, second);
+    partners = match_arcs(*graphs[0]->mesh_graph, *graphs[1]->mesh_graph, price_alone);
+  });
+  std::vector<std::array<std::size_t, 2>> rows;
+  for(const auto& [a, b] : partners)
+    rows.push_back({a, b});
+  return py::make_tuple(py::cast(by_kind), to_object(rows));
+}
+
+// A matrix, row by row.
+py::object distances(const std::vector<Graph_pointer>& graphs, const std::vector<double>& bases, Run& run)
+{
+  std::vector<double> matrix(graphs.size() * graphs.size(), 0);
+  run([&] {
+    const auto values = persistence_values(graphs, bases);
+    for(std::size_t i = 0; i != graphs.size(); ++i)
+      for(std::size_t j = 0; j != i; ++j)
+        matrix[i * graphs.size() + j] = matrix[j * graphs.size() + i] = distance(values[i], values[j]);
+  });
+  return to_object(matrix);
+}
+
+// None if a mesh is not connected.
+py::object like_tips(const std::vector<Mesh_arrays>& arrays, const std::vector<std::size_t>& numbers, Run& run)
+{
+  std::vector<Polygon_soup> soups;
+  for(std::size_t i = 0; i != arrays.size(); ++i)
+    soups.push_back(copy_arrays(arrays[i], numbers[i]));
+  std::vector<std::size_t> tips;
+  run([&] {
+    std::vector<Mesh> meshes;
+    std::vector<const Surface*> surfaces;
+    for(Polygon_soup& soup : soups)
+      meshes.push_back(make_surface(std::move(soup), "a tip"));
+    for(const Mesh& mesh : meshes)
+      surfaces.push_back(&mesh.surface);
+    tips = find_like_tips(surfaces);
+  });
+  return to_object(tips);
+}
+
 void add_functions(py::module_& module)
 {
   using CGAL::Reeb_graph::Borders;
@@ -745,6 +814,9 @@ void add_graph(py::module_& module)
     .def("simplified_scalars", running(&simplified_scalars))
     .def("write", running(&write));
   module.def("compute", &compute);
+  module.def("compare", &compare);
+  module.def("distances", &distances);
+  module.def("like_tips", &like_tips);
 }
 
 } // namespace
