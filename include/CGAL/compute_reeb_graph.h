@@ -22,7 +22,6 @@
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph_traits.h>
 
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -34,7 +33,7 @@ struct Checked_surface
 {
   Checked_complex<Complex_of_t<FaceListGraph>> complex;
   const Mesh_numbers<FaceListGraph>& numbers;
-  const Indexed_vector<Vertex_index, Scalar>& values;
+  const Keyed_field<Scalar>& field;
 };
 
 // The first stage: the mesh and its field by numbers.
@@ -47,8 +46,8 @@ auto flatten_for_graph(const FaceListGraph& mesh,
   typedef typename Traits::Scalar Scalar;
   if constexpr(Is_flat_field<ScalarMap, Scalar>::value)
   {
-    const auto& [flat_mesh, values] = *scalar_map.flat_values(mesh); // which the map holds
-    return Checked_surface<FaceListGraph, Scalar>{{flat_mesh->complex}, flat_mesh->numbers, values};
+    const auto& [flat_mesh, field] = *flat_values_of(scalar_map, mesh, traits); // which the map holds
+    return Checked_surface<FaceListGraph, Scalar>{{flat_mesh->complex}, flat_mesh->numbers, field};
   }
   else
   {
@@ -59,12 +58,8 @@ auto flatten_for_graph(const FaceListGraph& mesh,
 }
 
 // The stages. `mesh_of` tells by what the numbers of a complex lead back to descriptors.
-template <class ConcurrencyTag, class Flatten, class MeshOf, class Traits, class ReebGraph, class NamedParameters>
-void run_pipeline(const Flatten& flatten,
-                  const MeshOf& mesh_of,
-                  const Traits& traits,
-                  ReebGraph& graph,
-                  const NamedParameters& np);
+template <class ConcurrencyTag, class Flatten, class MeshOf, class ReebGraph, class NamedParameters>
+void run_pipeline(const Flatten& flatten, const MeshOf& mesh_of, ReebGraph& graph, const NamedParameters& np);
 
 } // namespace Reeb_graph::internal
 
@@ -213,15 +208,14 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   };
   const auto mesh_of = [&](const auto&) -> const FaceListGraph& { return mesh; };
   if(internal::is_parallel<ConcurrencyTag>() && num_faces(mesh) < internal::smallest_parallel_mesh)
-    internal::run_pipeline<Sequential_tag>(flatten, mesh_of, traits, graph, np);
+    internal::run_pipeline<Sequential_tag>(flatten, mesh_of, graph, np);
   else
-    internal::run_pipeline<ConcurrencyTag>(flatten, mesh_of, traits, graph, np);
+    internal::run_pipeline<ConcurrencyTag>(flatten, mesh_of, graph, np);
 }
 
-template <class ConcurrencyTag, class Flatten, class MeshOf, class Traits, class ReebGraph, class NamedParameters>
+template <class ConcurrencyTag, class Flatten, class MeshOf, class ReebGraph, class NamedParameters>
 void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
                                         const MeshOf& mesh_of,
-                                        const Traits& traits,
                                         ReebGraph& graph,
                                         const NamedParameters& np)
 {
@@ -239,8 +233,8 @@ void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
 
   progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);
-  auto [unchecked_complex, numbers, values] = flatten(ConcurrencyTag());
-  const stages::Vertex_order order(values, traits.less_scalar_object());
+  auto [unchecked_complex, numbers, field] = flatten(ConcurrencyTag());
+  const stages::Vertex_order order(field.keys());
   visitor.end_stage(Stage::FLATTEN);
   progress.report(0.2);
 
@@ -270,7 +264,7 @@ void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
 
   // Not written aside and swapped: to swap graphs of Boost copies them.
   visitor.begin_stage(Stage::WRITE);
-  stages::write_graph<ConcurrencyTag>(mesh_of(complex), complex, numbers, values, order, flat_graph, graph);
+  stages::write_graph<ConcurrencyTag>(mesh_of(complex), complex, numbers, field, flat_graph, graph);
   places.write(numbers.vertices);
   visitor.end_stage(Stage::WRITE);
   progress.report_end();
@@ -278,11 +272,10 @@ void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
 
 namespace Reeb_graph::internal {
 
-#define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, TAG, POINT, SCALAR)                                                        \
+#define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, TAG, POINT)                                                                \
   PREFIX template void write_graph<TAG>(const Surface_mesh<POINT>&, const Surface_mesh_complex<POINT>&,                \
-                                        const Mesh_numbers<Surface_mesh<POINT>>&,                                      \
-                                        const Indexed_vector<Vertex_index, SCALAR>&, const Natural_order<SCALAR>&,     \
-                                        const Flat_graph&, Surface_graph<SCALAR>&);
+                                        const Mesh_numbers<Surface_mesh<POINT>>&, const Keyed_field<double>&,          \
+                                        const Flat_graph&, Surface_graph<double>&);
 CGAL_REEB_GRAPH_FOR_POINTS(CGAL_REEB_GRAPH_WRITE_GRAPH)
 
 } // namespace Reeb_graph::internal

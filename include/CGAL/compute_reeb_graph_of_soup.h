@@ -19,7 +19,6 @@
 #include <CGAL/compute_reeb_graph.h>
 
 #include <cstddef>
-#include <type_traits>
 
 namespace CGAL {
 namespace Reeb_graph::internal {
@@ -48,9 +47,9 @@ void compute_graph_of_cells(const PointsOrNumber& points,
   };
   const auto mesh_of = [](const Simplicial_complex& complex) -> const Simplicial_complex& { return complex; };
   if(is_parallel<ConcurrencyTag>() && count_vertices(points) < smallest_parallel_mesh / 2)
-    run_pipeline<Sequential_tag>(flatten, mesh_of, traits, graph, np);
+    run_pipeline<Sequential_tag>(flatten, mesh_of, graph, np);
   else
-    run_pipeline<ConcurrencyTag>(flatten, mesh_of, traits, graph, np);
+    run_pipeline<ConcurrencyTag>(flatten, mesh_of, graph, np);
 }
 
 } // namespace Reeb_graph::internal

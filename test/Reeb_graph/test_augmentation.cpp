@@ -198,7 +198,7 @@ Arcs_of_vertices climb_and_sweep(const Surface_mesh& mesh, const std::vector<dou
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
   const CGAL::Reeb_graph_traits<Surface_mesh, std::decay_t<decltype(scalar_map)>> traits;
   const auto surface = internal::flatten<Tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
-  const internal::Vertex_order order(surface.values, traits.less_scalar_object());
+  const internal::Vertex_order order(surface.field.keys());
   const auto critical_vertices = internal::classify_vertices<Tag>(surface.mesh->complex, order);
   const internal::Slab slab(surface.mesh->complex, critical_vertices);
   const internal::Contour_trees_engine engine(slab, order);

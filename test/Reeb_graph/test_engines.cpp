@@ -100,7 +100,7 @@ Combinatorial_mesh surface_of_high_genus(Random& random)
 }
 
 typedef CGAL::Reeb_graph_traits<Surface_mesh, Scalar_map> Traits;
-typedef stages::Vertex_order<double, Traits::Less_scalar> Order;
+typedef stages::Vertex_order Order;
 typedef stages::Surface_mesh_complex<Surface_mesh::Point> Complex;
 typedef boost::mpl::list<Surface_mesh, mesh_builders::Polyhedron> Meshes;
 
@@ -111,29 +111,10 @@ static_assert(!std::is_convertible_v<stages::Vertex_index, std::size_t>);
 static_assert(!std::is_convertible_v<std::size_t, stages::Vertex_index>);
 static_assert(std::is_trivial_v<stages::Vertex_index> && sizeof(stages::Vertex_index) == 4);
 
-// The total order, which counts how often it is asked.
-class Counting_order
-{
-public:
-  explicit Counting_order(const Order& order) : order_(order) {}
-
-  bool operator()(stages::Vertex_index u, stages::Vertex_index v) const
-  {
-    ++number_of_calls_;
-    return order_(u, v);
-  }
-
-  std::size_t number_of_calls() const { return number_of_calls_; }
-
-private:
-  const Order& order_;
-  mutable std::size_t number_of_calls_ = 0;
-};
-
 struct Surgery
 {
   std::size_t number_of_cuts = 0;
-  std::size_t number_of_traced_edges = 0; // one comparison each, and one more for each contour
+  std::size_t number_of_traced_edges = 0;
   bool are_several_cuts_on_an_edge = false;
   std::size_t number_of_cuts_at_multi_saddles = 0;
   bool is_longest_contour_cut = false; // of a sublevel component at a vertex
@@ -197,20 +178,19 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
   const auto surface =
     stages::flatten<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
-  const Order order(surface.values, traits.less_scalar_object());
+  const Order order(surface.field.keys());
   const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.mesh->complex, order);
   const auto& ascending = critical_vertices.ascending();
   const stages::Slab slab(surface.mesh->complex, critical_vertices);
 
-  stages::Merge_tree_sweep<Complex, Order, stages::Side::LOWER> upwards(slab, order);
+  stages::Merge_tree_sweep<Complex, stages::Side::LOWER> upwards(slab, order);
   upwards.find_path_ends<CGAL::Sequential_tag>();
   std::for_each(ascending.begin(), ascending.end(), [&](stages::Swept_index critical) { upwards.merge_at(critical); });
 
-  stages::Cutting_sweep<Complex, Order> downwards(slab, order);
+  stages::Cutting_sweep<Complex> downwards(slab, order);
   if(are_paths_walked_first)
     downwards.find_path_ends<CGAL::Sequential_tag>();
-  const Counting_order counting_order(order);
-  stages::Loop_surgery<Complex, Counting_order> surgery(slab, counting_order, upwards.tree(), downwards.tree());
+  stages::Loop_surgery<Complex> surgery(slab, order, upwards.tree(), downwards.tree());
   std::size_t number_of_cuts_at_multi_saddles = 0;
   bool is_longest_contour_cut = false;
   std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Swept_index critical) {
@@ -228,7 +208,7 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
   cuts.register_edges();
   const stages::Merge_tree& tree = downwards.tree();
   return {cuts.size(),
-          counting_order.number_of_calls(),
+          surgery.number_of_steps(),
           are_several_cuts_on_an_edge(surface.mesh->complex, order, critical_vertices, cuts),
           number_of_cuts_at_multi_saddles,
           is_longest_contour_cut,
@@ -392,7 +372,7 @@ BOOST_AUTO_TEST_CASE(critical_vertices_tell_the_euler_characteristic)
     const auto values = noise(mesh, seed);
     const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
                                                                Traits(), CGAL::parameters::default_values());
-    const Order order(surface.values, Traits().less_scalar_object());
+    const Order order(surface.field.keys());
     const auto characteristic = static_cast<std::ptrdiff_t>(mesh.number_of_vertices() + mesh.number_of_faces())
                               - static_cast<std::ptrdiff_t>(mesh.number_of_edges());
     BOOST_TEST_CONTEXT("seed " << seed)
@@ -416,7 +396,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_that_a_sweep_sees_to_be_regular_are, Mesh
     const CGAL::Reeb_graph_traits<Mesh, graph_checks::Scalar_map_of<Mesh>> traits;
     const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
                                                                traits, CGAL::parameters::default_values());
-    const stages::Vertex_order order(surface.values, traits.less_scalar_object());
+    const stages::Vertex_order order(surface.field.keys());
     const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(surface.mesh->complex, order);
     for(const stages::Vertex_index v : surface.mesh->complex.vertices())
     {
@@ -456,7 +436,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_sweep_does_not_see_vertices_with_two_fans_to_be_
     const auto is_seen_to_be_regular = [&] {
       const auto surface =
         stages::flatten_unchecked<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
-      const stages::Vertex_order order(surface.values, traits.less_scalar_object());
+      const stages::Vertex_order order(surface.field.keys());
       return stages::Regular_vertices<CGAL::Sequential_tag>(surface.complex.at_set_fans(), order)
                .number_of_corners(stages::Vertex_index(kept))
           != 0;
@@ -482,7 +462,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_sees_nothing_on_faces_that_are_not_right)
   const auto soup = generated_surfaces::closed_surface(1, 200);
   const auto values = noise(make_mesh<Surface_mesh>(soup), 1);
   const stages::Indexed_vector<stages::Vertex_index, double> indexed_values(values.begin(), values.end());
-  const Order order(indexed_values, Traits().less_scalar_object());
+  const Order order(indexed_values);
   const auto after = [&](const auto& change) {
     auto mesh = make_mesh<Surface_mesh>(soup);
     change(mesh, halfedge(F(37), mesh), H(0), F(37));
@@ -534,7 +514,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_sees_nothing_beside_a_hub)
     stages::Indexed_vector<stages::Vertex_index, double> values;
     for(std::size_t v = 0; v != degree + 2; ++v)
       values.push_back(v == degree ? 1e9 : v > degree ? -1. : static_cast<double>(v < degree / 2 ? v : 2 * degree - v));
-    const Order order(values, Traits().less_scalar_object());
+    const Order order(values);
     const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(Complex(mesh), order);
     std::size_t number = 0;
     for(std::size_t v = 0; v != degree + 2; ++v)
@@ -555,7 +535,7 @@ std::vector<double> smooth_field(const Surface_mesh& mesh)
 bool is_sweep_faster(const Surface_mesh& mesh, const std::vector<double>& values)
 {
   const stages::Indexed_vector<stages::Vertex_index, double> indexed_values(values.begin(), values.end());
-  return stages::is_sweep_faster(Complex(mesh), Order(indexed_values, Traits().less_scalar_object()));
+  return stages::is_sweep_faster(Complex(mesh), Order(indexed_values));
 }
 
 std::multiset<std::pair<double, double>> values_of_arcs(const Surface_mesh& mesh, const std::vector<double>& values)

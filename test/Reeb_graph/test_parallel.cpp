@@ -241,16 +241,15 @@ void merge_vertices(Mesh& mesh, std::size_t first, std::size_t second)
 BOOST_AUTO_TEST_CASE(sorting_on_any_number_of_threads)
 {
   namespace internal = CGAL::Reeb_graph::internal;
-  typedef internal::Vertex_order<double, std::less<double>> Order;
-  typedef Order::Key<internal::Vertex_index> Key;
-  const auto is_same = [](const Key& a, const Key& b) { return a.value == b.value && a.name == b.name; };
+  typedef internal::Vertex_order::Key<internal::Vertex_index> Key;
+  const auto is_same = [](const Key& a, const Key& b) { return a.key == b.key && a.name == b.name; };
   for(unsigned int seed = 0; seed != 200; ++seed)
   {
     std::mt19937 random(seed);
     internal::Indexed_vector<internal::Vertex_index, double> values(random() % (seed < 160 ? 40 : 4000));
     for(double& value : values)
       value = random() % 50;
-    const Order order(values, std::less<double>());
+    const internal::Vertex_order order(values);
     std::vector<Key> keys;
     for(const internal::Vertex_index i : values.keys())
       keys.push_back(order.key(i, i));

@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(as_many_slabs_as_vertices_of_noise)
 
   const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, noise),
                                                              Traits(), CGAL::parameters::default_values());
-  const stages::Vertex_order order(surface.values, Traits().less_scalar_object());
+  const stages::Vertex_order order(surface.field.keys());
   const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.mesh->complex, order);
   const auto number_of_slabs = [&](std::size_t wanted) {
     return stages::Slicing(CGAL::Sequential_tag(), surface.mesh->complex, order, critical_vertices,

@@ -239,42 +239,4 @@ BOOST_AUTO_TEST_CASE(orders_that_contradict_themselves_end)
   BOOST_TEST(number_of_exceptions > 50);
 }
 
-// With `<=`, a search that has found all of its contour is met again by another one.
-BOOST_AUTO_TEST_CASE(contours_that_are_complete_are_met_again)
-{
-  const Complex complex = {11,
-                           {{0, 1, 4},
-                            {0, 1, 5},
-                            {0, 1, 8},
-                            {0, 1, 10},
-                            {0, 2, 7},
-                            {0, 2, 10},
-                            {0, 3, 10},
-                            {0, 4, 7},
-                            {0, 5, 9},
-                            {0, 6, 8},
-                            {1, 2, 5},
-                            {1, 5, 8},
-                            {1, 7, 8},
-                            {2, 5, 9},
-                            {4, 5, 6},
-                            {5, 6, 10},
-                            {5, 7, 9},
-                            {5, 9, 10},
-                            {6, 7, 10}},
-                           {{0, 8}, {1, 4}, {2, 7}, {2, 10}, {8, 10}}};
-  const std::vector<double> values = {5, 0, 3, 10, 7, 2, 9, 8, 6, 4, 1};
-  Contradictory_traits traits;
-  traits.seed = 3; // for `<=`
-  for(const Method method : {Method::AUTOMATIC, Method::CRITICAL_SETS})
-    try
-    {
-      BOOST_TEST(boost::num_vertices(graph_of(
-                   complex, values, params::edges(std::cref(complex.edges)).method(method).geom_traits(traits)))
-                 <= 11u);
-    }
-    catch(const rg::Unordered_scalar_error&)
-    {}
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -254,7 +254,7 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_of_complexes_that_sweeping_gives)
 
       const CGAL::Reeb_graph_soup_traits<double> traits;
       const auto soup = internal::flatten_cells<Tag, 3>(size, complex.triangles, complex.edges, values, traits);
-      const internal::Vertex_order order(soup.values, traits.less_scalar_object());
+      const internal::Vertex_order order(soup.field.keys());
       const auto critical_vertices = internal::classify_vertices<Tag>(soup.complex, order);
       internal::Locate_by_climbing queries(soup.complex, order, critical_vertices);
       const internal::Slab slab(soup.complex, critical_vertices);

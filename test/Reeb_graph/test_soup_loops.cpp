@@ -74,7 +74,7 @@ struct Found_contours
 
   stages::Simplicial_complex complex;
   stages::Indexed_vector<stages::Vertex_index, double> scalars;
-  stages::Vertex_order<double, std::less<double>> order = {scalars, std::less<double>()};
+  stages::Vertex_order order = stages::Vertex_order(scalars);
   stages::Swept_vertices critical_vertices;
   stages::Plain_vector<stages::Swept_index> vertices;
   stages::Indexed_vector<stages::Sector_index, stages::Index> names; // by lower sector
@@ -291,19 +291,18 @@ template <class Cells>
 double searched_edges(const Cells& cells, const std::vector<double>& values)
 {
   typedef stages::Simplicial_complex Stage_complex;
-  typedef stages::Vertex_order<double, std::less<double>> Order;
   const Stage_complex complex = make_complex(values.size(), cells);
   const stages::Indexed_vector<stages::Vertex_index, double> scalars(values.begin(), values.end());
-  const Order order(scalars, std::less<double>());
+  const stages::Vertex_order order(scalars);
   const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(complex, order);
   const auto& ascending = critical_vertices.ascending();
   const stages::Slab slab(complex, critical_vertices);
-  stages::Merge_tree_sweep<Stage_complex, Order, stages::Side::LOWER> upwards(slab, order);
+  stages::Merge_tree_sweep<Stage_complex, stages::Side::LOWER> upwards(slab, order);
   upwards.find_path_ends<CGAL::Sequential_tag>();
   std::for_each(ascending.begin(), ascending.end(), [&](stages::Swept_index critical) { upwards.merge_at(critical); });
-  stages::Cutting_sweep<Stage_complex, Order> downwards(slab, order);
+  stages::Cutting_sweep<Stage_complex> downwards(slab, order);
   downwards.find_path_ends<CGAL::Sequential_tag>();
-  stages::Loop_surgery<Stage_complex, Order> surgery(slab, order, upwards.tree(), downwards.tree());
+  stages::Loop_surgery<Stage_complex> surgery(slab, order, upwards.tree(), downwards.tree());
   std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Swept_index critical) {
     downwards.merge_at(critical);
     if(surgery.can_close_loop(critical))

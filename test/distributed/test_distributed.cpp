@@ -205,21 +205,21 @@ BOOST_AUTO_TEST_CASE(noise_is_not_sliced_in_vain)
 
 namespace {
 // The slab of each vertex by definition.
-std::vector<std::size_t> slabs_of_vertices(const Surface<double>& surface, const internal::Splitters<double>& splitters)
+std::vector<std::size_t> slabs_of_vertices(const Surface<double>& surface, const internal::Splitters& splitters)
 {
   std::vector<std::size_t> slabs;
   for(std::size_t v = 0; v < surface.values.size(); ++v)
   {
     slabs.push_back(0);
     for(const auto& splitter : splitters)
-      if(std::tie(splitter.value, splitter.vertex) < std::forward_as_tuple(surface.values[v], std::uint64_t(v)))
+      if(std::tie(splitter.key, splitter.name) < std::forward_as_tuple(surface.values[v], std::uint64_t(v)))
         ++slabs.back();
   }
   return slabs;
 }
 
 // Compares what the rank holds with what it should.
-void check_part(const internal::Slab_surface<double>& part,
+void check_part(const internal::Slab_surface& part,
                 const Surface<double>& surface,
                 const std::vector<std::size_t>& slabs,
                 const internal::Distribution_counts& counts)
@@ -252,7 +252,7 @@ void check_part(const internal::Slab_surface<double>& part,
   for(const auto v : part.global_vertices.keys())
   {
     const auto global = static_cast<std::size_t>(part.global_vertices[v]);
-    BOOST_TEST(part.values[v] == surface.values[global]);
+    BOOST_TEST(part.keys[v] == surface.values[global]);
     const auto side = slabs[global] < slab ? part.below() : (slabs[global] > slab ? part.above() : part.inside());
     BOOST_TEST((part.slabs_of_vertices[v] == side));
   }
@@ -260,7 +260,7 @@ void check_part(const internal::Slab_surface<double>& part,
 
 // Exchanges a surface with levels just above some of its vertices, which need not be different.
 template <class Vertex>
-void check_exchange(const Surface<double>& surface, const internal::Splitters<double>& splitters, Random& random)
+void check_exchange(const Surface<double>& surface, const internal::Splitters& splitters, Random& random)
 {
   const auto input = random_part(surface, random);
   internal::Exchange exchange(world());
@@ -270,7 +270,7 @@ void check_exchange(const Surface<double>& surface, const internal::Splitters<do
   local.check_triangles([&](std::uint64_t v) { vertices.add(v); });
   vertices.number();
   internal::Distribution_counts counts;
-  const auto part = internal::exchange_surface<double, Vertex>(exchange, local, std::move(vertices), splitters, counts);
+  const auto part = internal::exchange_surface<Vertex>(exchange, local, std::move(vertices), splitters, counts);
   BOOST_TEST(part.slab == rank());
   BOOST_TEST(part.number_of_slabs == splitters.size() + 1);
   BOOST_TEST(part.has_slab() == (part.slab <= splitters.size()));
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(ranks_hold_what_meets_their_slabs)
         surface.mesh.number_of_vertices += 10000;
         surface.values.resize(surface.mesh.number_of_vertices, 5);
       }
-      internal::Splitters<double> splitters;
+      internal::Splitters splitters;
       for(std::size_t slab = 1 + random.below(2); slab < number_of_ranks() && !surface.values.empty(); ++slab)
       {
         const std::size_t v = random.below(surface.values.size());
@@ -323,8 +323,8 @@ std::string thrown_by(const Function& function)
 
 // Whether all ranks throw the same as `expected`, which stands for the one fault of the input. The ranks go on
 // together.
-template <class Exception>
-void check_thrown(const Local_input<double>& input, const Exception& expected)
+template <class Scalar, class Exception>
+void check_thrown(const Local_input<Scalar>& input, const Exception& expected)
 {
   const std::string expected_text = thrown_by([&] { throw expected; });
   BOOST_TEST(thrown_by([&] { graph_on_ranks(input, params::default_values()); }) == expected_text);
@@ -338,6 +338,23 @@ std::vector<double> shuffled_values(std::size_t size)
   return values;
 }
 } // namespace
+
+BOOST_AUTO_TEST_CASE(values_that_no_double_holds_are_told_by_all)
+{
+  typedef std::numeric_limits<std::int64_t> Limits;
+  Random random(1);
+  const std::int64_t largest = std::int64_t(1) << 53;
+  Surface<std::int64_t> surface = {random_meshes::cylinder(6, 10), {}};
+  for(std::int64_t v = 0; v != 60; ++v)
+    surface.values.push_back(v % 2 == 0 ? largest - v / 2 : v / 2 - largest);
+  BOOST_TEST(num_vertices(graph_on_ranks(random_part(surface, random), params::default_values()))
+             == (rank() == 0 ? num_vertices(graph_of_whole(surface, params::default_values())) : 0));
+  for(const std::int64_t wrong : {largest + 1, -largest - 1, (Limits::max)(), (Limits::min)()})
+  {
+    surface.values[17] = wrong;
+    check_thrown(random_part(surface, random), rg::Inexact_scalar_error(17));
+  }
+}
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_with_vertices_is_told_by_all)
 {

@@ -212,9 +212,7 @@ public:
   Contour contour_at_value(arc_descriptor arc, const Scalar& value) const
   {
     internal::check_is_arc(graph(), arc);
-    if(!is_alive_at(arc, value))
-      throw Parameter_error("the arc has no contour at this level");
-    return trace(arc, level_at_value(value));
+    return checked_trace(arc, level_at_value(value));
   }
 
   /// \brief returns the contour of an arc at the level just below a vertex, which the contour need not be near. Just
@@ -251,7 +249,7 @@ public:
     std::vector<decltype(find_start(arcs[0], level))> starts;
     for(const arc_descriptor arc : on_mesh_.arcs())
     {
-      if(is_alive_at(arc, value))
+      if(is_crossed(arc, level))
       {
         arcs.push_back(arc);
         starts.push_back(find_start(arc, level));
@@ -356,12 +354,10 @@ protected:
 
 private:
   typedef typename GraphOnMesh::Traits Traits;
-  typedef internal::Level<Scalar, typename GraphOnMesh::Order> Is_below;
-
   // A level with its value.
   struct Level
   {
-    Is_below is_below;
+    internal::Level is_below;
     double value;
   };
 
@@ -382,9 +378,7 @@ private:
   {
     const Level level = level_beside(side, internal::checked_number(on_mesh_, v));
     internal::check_is_arc(graph(), arc);
-    if(!level.is_below(on_mesh_.lower_vertex(arc)) || level.is_below(on_mesh_.upper_vertex(arc)))
-      throw Parameter_error("the arc has no contour at this level");
-    return trace(arc, level);
+    return checked_trace(arc, level);
   }
 
   // Where the chain of the arc crosses the level. Chains can overlap where a piece ends; then the later one is inside the
@@ -404,22 +398,29 @@ private:
     return on_mesh_.trace(arc, find_start(arc, level), level);
   }
 
-  // Whether the level of the value crosses the arc.
-  bool is_alive_at(arc_descriptor arc, const Scalar& value) const
+  Contour checked_trace(arc_descriptor arc, const Level& level) const
   {
-    return !on_mesh_.order().is_higher(on_mesh_.lower_vertex(arc), value)
-        && on_mesh_.order().is_higher(on_mesh_.upper_vertex(arc), value);
+    if(!is_crossed(arc, level))
+      throw Parameter_error("the arc has no contour at this level");
+    return trace(arc, level);
+  }
+
+  // Whether the level crosses the arc.
+  bool is_crossed(arc_descriptor arc, const Level& level) const
+  {
+    return level.is_below(on_mesh_.lower_vertex(arc)) && !level.is_below(on_mesh_.upper_vertex(arc));
   }
 
   Level level_at_value(const Scalar& value) const
   {
-    return {Is_below(on_mesh_.order(), internal::Side::UPPER, value), on_mesh_.conversion().to_double(value)};
+    return {internal::Level(on_mesh_.order(), internal::Side::UPPER, on_mesh_.key_of(value)),
+            on_mesh_.conversion().to_double(value)};
   }
 
   Level level_beside(internal::Side side, internal::Vertex_index v) const
   {
-    return {are_ties_contracted() ? Is_below(on_mesh_.order(), side, on_mesh_.scalar(v))
-                                  : Is_below(on_mesh_.order(), side, v),
+    return {are_ties_contracted() ? internal::Level(on_mesh_.order(), side, on_mesh_.key(v))
+                                  : internal::Level(on_mesh_.order(), side, v),
             on_mesh_.value(v)};
   }
 
@@ -474,13 +475,12 @@ private:
     {
       // For integers, the vertices below 2.5 are those below 2.
       const auto scalar = on_mesh_.conversion().from_double(value, is_falling);
-      if(scalar && is_alive_at(arc, *scalar))
-        return {Is_below(on_mesh_.order(), internal::Side::UPPER, *scalar), value};
+      if(scalar && is_crossed(arc, level_at_value(*scalar)))
+        return {level_at_value(*scalar).is_below, value};
     }
-    const Scalar& upper_value = on_mesh_.scalar(upper);
-    const bool is_chain_vertex_lower = on_mesh_.order().is_lower(chain_vertex, upper_value);
-    if(is_chain_vertex_lower ? is_rounded_up && std::isfinite(value) : are_ties_contracted())
-      return {Is_below(on_mesh_.order(), internal::Side::LOWER, upper_value), upper_end};
+    const internal::Level below_upper(on_mesh_.order(), internal::Side::LOWER, on_mesh_.key(upper));
+    if(below_upper(chain_vertex) ? is_rounded_up && std::isfinite(value) : are_ties_contracted())
+      return {below_upper, upper_end};
     return level_beside(internal::Side::UPPER, chain_vertex);
   }
 

@@ -58,8 +58,9 @@ class Flat_field
 public:
   typedef typename internal::Descriptors<FaceListGraph>::vertex_descriptor key_type; ///< the key type
   typedef Scalar value_type;                                                         ///< the value type
-  typedef const Scalar& reference;                                                   ///< a reference to it
-  typedef boost::readable_property_map_tag category;                                 ///< the category
+  typedef typename internal::Keyed_field<Scalar>::reference
+    reference;                                       ///< the value of a built-in number, a reference to any other one
+  typedef boost::readable_property_map_tag category; ///< the category
 
   /// checks the mesh, and reads it and the field.
   ///
@@ -99,11 +100,11 @@ public:
     static_assert(internal::are_met<Is_field<ScalarMap, NamedParameters>>);
     check_mesh(*mesh_);
     const auto& flat_mesh = flat_values_->mesh;
-    auto values = internal::read_values<Sequential_tag>(flat_mesh->numbers.vertices, scalar_map, traits<ScalarMap>(np));
+    auto field = internal::read_field<Sequential_tag>(flat_mesh->numbers.vertices, scalar_map, traits<ScalarMap>(np));
     if(flat_values_.use_count() == 1)
-      flat_values_->values = std::move(values);
+      flat_values_->field = std::move(field);
     else // What shares them keeps its values.
-      flat_values_ = std::make_shared<Flat_values>(Flat_values{flat_mesh, std::move(values)});
+      flat_values_ = std::make_shared<Flat_values>(Flat_values{flat_mesh, std::move(field)});
   }
 
   /// returns the mesh.
@@ -151,9 +152,9 @@ private:
   reference value(const key_type& vertex) const
   {
     const internal::Vertex_index number = flat_values_->mesh->numbers.number_of(vertex);
-    if(number.number() >= flat_values_->values.size())
+    if(number.number() >= flat_values_->field.keys().size())
       throw Unknown_vertex_error();
-    return flat_values_->values[number];
+    return flat_values_->field.value(number);
   }
 
   const FaceListGraph* mesh_;

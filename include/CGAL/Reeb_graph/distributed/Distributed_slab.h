@@ -90,7 +90,10 @@ public:
     if(linked_slab_ == nullptr || !has_level(value))
       return contours;
     const auto& complex = linked_slab_->classified->complex;
-    internal::for_each_contour(*linked_slab_, value, [&](const auto& halfedges, bool is_closed) {
+    const auto is_below = [&](internal::Vertex_index v) {
+      return !(value < static_cast<Scalar>(linked_slab_->surface.keys[v]));
+    };
+    internal::for_each_contour(complex, is_below, [&](const auto& halfedges, bool is_closed) {
       contours.push_back({is_closed, {}});
       contours.back().edges.reserve(halfedges.size());
       for(const internal::Halfedge_index halfedge : halfedges)
@@ -101,10 +104,10 @@ public:
   }
 
   /// \cond
-  void keep(std::shared_ptr<const internal::Linked_slab<Scalar>> linked_slab) { linked_slab_ = std::move(linked_slab); }
+  void keep(std::shared_ptr<const internal::Linked_slab<>> linked_slab) { linked_slab_ = std::move(linked_slab); }
 
 private:
-  std::shared_ptr<const internal::Linked_slab<Scalar>> linked_slab_;
+  std::shared_ptr<const internal::Linked_slab<>> linked_slab_;
   /// \endcond
 };
 

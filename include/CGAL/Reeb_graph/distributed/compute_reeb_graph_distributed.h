@@ -86,8 +86,7 @@ typedef Index_of<Border_path_tag> Border_path;
 class Border_paths
 {
 public:
-  template <class Scalar>
-  Border_paths(const Triangle_complex& complex, const Slab_surface<Scalar>& surface)
+  Border_paths(const Triangle_complex& complex, const Slab_surface& surface)
   {
     const auto& slabs = surface.slabs_of_vertices;
     Indexed_vector<Border_path, Edge_index> edges;
@@ -110,9 +109,8 @@ public:
   By_side<std::vector<Border_path>> paths_across;
 
 private:
-  template <class Scalar>
   void join_edges(const Triangle_complex& complex,
-                  const Slab_surface<Scalar>& surface,
+                  const Slab_surface& surface,
                   const Indexed_vector<Border_path, Edge_index>& edges)
   {
     const auto& slabs = surface.slabs_of_vertices;
@@ -149,10 +147,9 @@ private:
 };
 
 // The numbers of border edges and of border loops of the whole surface, on all ranks. Collective.
-template <class Scalar>
-std::array<std::uint64_t, 2> count_borders(Exchange& exchange,
-                                           const Triangle_complex& complex,
-                                           const Slab_surface<Scalar>& surface)
+inline std::array<std::uint64_t, 2> count_borders(Exchange& exchange,
+                                                  const Triangle_complex& complex,
+                                                  const Slab_surface& surface)
 {
   std::optional<Border_paths> paths;
   exchange.in_agreement([&] { paths.emplace(complex, surface); });
@@ -210,14 +207,14 @@ void describe_chains(const std::vector<Part_of_segment>& parts,
 // Tells the user what the rank holds. Collective.
 template <class Scalar, class Complex, class ChainParts>
 void describe_slab(Exchange& exchange,
-                   const std::shared_ptr<Linked_slab<Scalar, Complex>>& linked_slab,
+                   const std::shared_ptr<Linked_slab<Complex>>& linked_slab,
                    const Distribution_counts& counts,
                    std::size_t number_of_triangles,
                    const ChainParts& parts,
                    bool are_chains_kept,
                    Distributed_slab<Scalar>& slab)
 {
-  const Slab_surface<Scalar>& surface = linked_slab->surface;
+  const Slab_surface& surface = linked_slab->surface;
   Distributed_slab<Scalar> result;
   exchange.in_agreement([&] {
     if(are_chains_kept)
@@ -233,8 +230,10 @@ void describe_slab(Exchange& exchange,
     result.border_loops = loops;
   }
   result.has_slab = surface.has_slab();
-  result.lower_bound = surface.lower_bound;
-  result.upper_bound = surface.upper_bound;
+  if(surface.lower_bound)
+    result.lower_bound = static_cast<Scalar>(*surface.lower_bound);
+  if(surface.upper_bound)
+    result.upper_bound = static_cast<Scalar>(*surface.upper_bound);
   result.number_of_slabs = surface.number_of_slabs;
   result.crossings_per_triangle = counts.slabs_per_triangle_if_all;
   result.vertices = counts.vertices;
@@ -326,13 +325,12 @@ void run_on_ranks(const boost::mpi::communicator& communicator,
   Stages_of_rank stage(exchange, unwrap_reference(visitor_parameter), np);
   stage.go_on(0, Stage::FLATTEN);
   Distribution_counts counts;
-  std::shared_ptr<Linked_slab<Scalar, Complex>> linked_slab;
-  exchange.in_agreement([&] { linked_slab.reset(new Linked_slab<Scalar, Complex>); });
-  Slab_surface<Scalar>& surface = linked_slab->surface;
+  std::shared_ptr<Linked_slab<Complex>> linked_slab;
+  exchange.in_agreement([&] { linked_slab.reset(new Linked_slab<Complex>); });
+  Slab_surface& surface = linked_slab->surface;
   auto& classified = linked_slab->classified;
-  surface =
-    distribute_surface<Scalar>(exchange, local_vertices, local_triangles, local_scalars, number_of_slabs, counts);
-  const Vertex_order order(surface.values, std::less<Scalar>());
+  surface = distribute_surface(exchange, local_vertices, local_triangles, local_scalars, number_of_slabs, counts);
+  const Vertex_order order(surface.keys);
   const std::size_t number_of_triangles = surface.triangles.size();
 
   stage.go_on(0.4, Stage::CLASSIFY);
@@ -396,7 +394,7 @@ namespace CGAL {
 /// \tparam VertexRange a range of consecutive integers, such as `boost::irange(first, last)`
 /// \tparam TriangleRange a random access range of triples of indices, such as
 ///         `std::vector<std::array<std::uint64_t, 3>>`
-/// \tparam ScalarRange a random access range of built-in numbers
+/// \tparam ScalarRange a random access range of built-in numbers that a `double` holds
 /// \tparam ReebGraph the type `Graph` of `Reeb_graph_soup_traits` with the value type of `ScalarRange`
 ///
 /// \param communicator the ranks. They are taken to store numbers alike
@@ -451,6 +449,7 @@ namespace CGAL {
 /// \exception Reeb_graph::Vertex_ranges_error if the ranges of vertices are not all indices from 0, each one once
 /// \exception Reeb_graph::Scalar_count_error if a rank has not one value for each of its vertices
 /// \exception Reeb_graph::Unordered_scalar_error if a scalar value is NaN
+/// \exception Reeb_graph::Inexact_scalar_error if no `double` holds a scalar value, as integers beyond 2<sup>53</sup>
 /// \exception Reeb_graph::Vertex_out_of_range_error if an index of a triangle is not one of a vertex
 /// \exception Reeb_graph::Degenerate_face_error if a triangle has one vertex at two corners
 /// \exception Reeb_graph::Non_manifold_edge_error if an edge is on more than two triangles

@@ -31,6 +31,17 @@ public:
   {}
 };
 
+/// \brief thrown for a scalar value that no `double` holds: an integer beyond 2<sup>53</sup>, or a `long double`.
+class Inexact_scalar_error : public Vertex_error
+{
+public:
+  /// constructs the exception for the vertex of this index.
+  explicit Inexact_scalar_error(std::size_t vertex)
+    : Vertex_error(vertex,
+                   message("the scalar value of vertex ", vertex, " is not one that a double holds, as ranks need it"))
+  {}
+};
+
 /// \brief thrown for an edge that is on more than two triangles.
 class Non_manifold_edge_error : public Error
 {

@@ -52,8 +52,8 @@ namespace CGAL::Reeb_graph {
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`
 /// \tparam ScalarMap a model of `ReadablePropertyMap` with the vertex descriptors of the mesh as key type and a value
-///         type that `CGAL::to_double()` takes; with `Ties::PERTURB`, a built-in floating point type. The order is that
-///         of `operator<`.
+///         type that `CGAL::to_double()` takes; with `Ties::PERTURB`, `double` or `float`. The order is that of
+///         `operator<`.
 /// \tparam SimplifiedScalarMap a model of `WritablePropertyMap` with the same key and value types
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///

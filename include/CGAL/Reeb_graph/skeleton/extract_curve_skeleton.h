@@ -85,7 +85,7 @@ public:
       double size = 0;
       for(const Index v : component.given)
       {
-        component.values.push_back(CGAL::to_double(flat_.values[Vertex_index(v)]));
+        component.values.push_back(CGAL::to_double(flat_.field.value(Vertex_index(v))));
         if(!std::isfinite(component.values.back()))
           throw Non_finite_scalar_error(complex().position(Vertex_index(v)));
         size = (std::max)(size, std::abs(component.values.back()));

@@ -35,10 +35,8 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// Between the ranks of two vertices of the input there is room for those of the vertices that a refinement adds.
-inline constexpr Long_index rank_spacing = Long_index(1) << 31;
-
-// A mesh that is refined, with the rank of each vertex, and its value as far as it places the points of new vertices.
+// A mesh that is refined, with the rank of each vertex, and its value as far as it places the points of new vertices. Ranks
+// are numbers that a double holds, so that they are their own keys in graphs.
 template <class Mesh_, class VertexPointMap, class Visitor>
 class Ranked_mesh
 {
@@ -48,14 +46,14 @@ public:
   typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::graph_traits<Mesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
-  typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<Long_index>>::type Rank_map;
-  typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<double>>::type Value_map;
+  typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<double>>::type Rank_map;
 
   Ranked_mesh(Mesh& mesh, VertexPointMap vertex_point_map, Visitor& visitor)
     : mesh_(mesh),
       vertex_point_map_(vertex_point_map),
       visitor_(visitor),
-      rank_map_(get(dynamic_vertex_property_t<Long_index>(), mesh)),
+      rank_spacing_((Long_index(1) << std::numeric_limits<double>::digits) / (num_vertices(mesh) + 1)),
+      rank_map_(get(dynamic_vertex_property_t<double>(), mesh)),
       value_map_(get(dynamic_vertex_property_t<double>(), mesh))
   {}
 
@@ -73,13 +71,17 @@ public:
   Mesh& mesh() const { return mesh_; }
   Visitor& visitor() const { return visitor_; }
   Rank_map rank_map() const { return rank_map_; }
-  Long_index rank(vertex_descriptor v) const { return get(rank_map_, v); }
+  Long_index rank(vertex_descriptor v) const { return static_cast<Long_index>(get(rank_map_, v)); }
   double value(vertex_descriptor v) const { return get(value_map_, v); }
+
+  // Between the ranks of two vertices of the input there is room for those of the vertices that a refinement adds.
+  Long_index rank_spacing() const { return rank_spacing_; }
+
   const VertexPointMap& vertex_point_map() const { return vertex_point_map_; }
 
   void place(vertex_descriptor v, Long_index rank, double value) const
   {
-    put(rank_map_, v, rank);
+    put(rank_map_, v, static_cast<double>(rank));
     put(value_map_, v, value);
   }
 
@@ -290,8 +292,8 @@ private:
   Mesh& mesh_;
   VertexPointMap vertex_point_map_;
   Visitor& visitor_;
-  Rank_map rank_map_;
-  Value_map value_map_;
+  const Long_index rank_spacing_;
+  Rank_map rank_map_, value_map_;
   mutable bool are_splits_remembered_ = true;
   mutable std::vector<Split> splits_;
 };
@@ -391,7 +393,7 @@ void split_chords(const RankedMesh& ranked, Level_borders<typename RankedMesh::M
         if(is_chord && listed.insert(edge(h, mesh)).second)
           chords.push_back(h);
       }
-  const Long_index step = rank_spacing / 2 / (chords.size() + 1);
+  const Long_index step = ranked.rank_spacing() / 2 / (chords.size() + 1);
   for(const halfedge_descriptor h : chords)
   {
     const auto u = source(h, mesh), w = target(h, mesh);
@@ -458,7 +460,7 @@ void rank_vertices(const RankedMesh& ranked,
       i != 0 && keys[i].side != 0 && keys[i].side == keys[i - 1].side && !less(keys[i - 1].value, keys[i].value);
     const bool is_same_border = is_same_side && keys[i].position == keys[i - 1].position;
     if(!is_same_border)
-      rank += rank_spacing;
+      rank += ranked.rank_spacing();
     ranked.place(keys[i].vertex, rank, conversion.to_double(keys[i].value));
     if(keys[i].side == 0 || is_same_border)
       continue;

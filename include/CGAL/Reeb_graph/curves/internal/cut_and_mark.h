@@ -208,7 +208,7 @@ public:
 
 private:
   Scalar scalar(vertex_descriptor v) const { return get(scalar_map_, v); }
-  bool is_added(vertex_descriptor v) const { return ranked_.rank(v) % rank_spacing != 0; }
+  bool is_added(vertex_descriptor v) const { return ranked_.rank(v) % ranked_.rank_spacing() != 0; }
   // Lowers an upper bound, or raises a lower one.
   void bound_by(std::optional<Scalar>& bound, const Scalar& value, bool is_upper) const
   {
@@ -222,7 +222,7 @@ private:
   {
     for(const vertex_descriptor u : vertices_around_target(v, ranked_.mesh()))
       visit(u);
-    if(before != nullptr && ranked_.rank(*before) / rank_spacing == ranked_.rank(v) / rank_spacing)
+    if(before != nullptr && ranked_.rank(*before) / ranked_.rank_spacing() == ranked_.rank(v) / ranked_.rank_spacing())
       visit(*before);
   }
 
@@ -264,7 +264,7 @@ private:
   // The rank of an added vertex is next to that of the vertex below or above.
   Scalar value_next_to_vertex(vertex_descriptor v, const Scalar& below, const Scalar& above) const
   {
-    const bool is_next_to_lower = ranked_.rank(v) % rank_spacing < rank_spacing / 2;
+    const bool is_next_to_lower = ranked_.rank(v) % ranked_.rank_spacing() < ranked_.rank_spacing() / 2;
     return is_next_to_lower ? between(below, value_near(below, above), ranked_.value(v))
                             : between(value_near(above, below), above, ranked_.value(v));
   }

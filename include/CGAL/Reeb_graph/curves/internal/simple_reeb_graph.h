@@ -160,7 +160,8 @@ void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const NamedParam
 {
   typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
   static_assert(are_met<Scalar_field<Mesh, ScalarMap, Traits>>);
-  read_values<Sequential_tag>(Vertex_list<Mesh>(mesh), scalar_map, choose_traits<Traits>(np));
+  read_values<Sequential_tag>(Vertex_list<Mesh>(mesh), scalar_map, choose_traits<Traits>(np),
+                              [](const auto&) { return 0; });
   check_mesh(mesh);
 }
 

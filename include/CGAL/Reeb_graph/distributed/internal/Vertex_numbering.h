@@ -339,37 +339,34 @@ inline std::uint64_t share_of_sample(std::uint64_t sample_size, std::uint64_t lo
 // A sample of the vertices, ascending, at rank 0: that of this rank has the indices from `begin` on, and the given values.
 // The numbers of vertices of slabs differ by about the square root of their number in the sample in as many. Rank 0 has
 // room for it. Collective.
-template <class Scalar, class Scalars>
-std::vector<Order_key<Scalar>> sample_vertices(Exchange& exchange,
-                                               Long_index begin,
-                                               const Scalars& scalars,
-                                               std::uint64_t number_of_vertices,
-                                               std::size_t number_of_slabs)
+template <class Scalars>
+std::vector<Order_key> sample_vertices(Exchange& exchange,
+                                       Long_index begin,
+                                       const Scalars& scalars,
+                                       std::uint64_t number_of_vertices,
+                                       std::size_t number_of_slabs)
 {
   constexpr std::uint64_t most_per_slab = 2048, least_per_slab = 64, most = std::uint64_t(1) << 22;
   const std::uint64_t sample_size =
     number_of_slabs * (std::max)(least_per_slab, (std::min)(most_per_slab, most / number_of_slabs));
-  std::vector<Order_key<Scalar>> own;
+  std::vector<Order_key> own;
   exchange.in_agreement([&] {
     const std::uint64_t size = static_cast<std::uint64_t>(std::end(scalars) - std::begin(scalars));
     for_each_of_sample(size, share_of_sample(sample_size, size, number_of_vertices), [&](std::uint64_t i) {
       const auto place = std::begin(scalars) + static_cast<std::ptrdiff_t>(i);
-      own.push_back({static_cast<Scalar>(*place), begin + i});
+      own.push_back({static_cast<double>(*place), begin + i});
     });
   });
-  std::vector<Order_key<Scalar>> sample = gather_arrays(exchange, own).elements;
+  std::vector<Order_key> sample = gather_arrays(exchange, own).elements;
   std::sort(sample.begin(), sample.end());
   return sample;
 }
 
 // The levels between slabs by a sample, so that slabs have about the same number of vertices; the same on all ranks.
 // Collective.
-template <class Scalar>
-Splitters<Scalar> choose_splitters(Exchange& exchange,
-                                   const std::vector<Order_key<Scalar>>& sample,
-                                   std::size_t number_of_slabs)
+inline Splitters choose_splitters(Exchange& exchange, const std::vector<Order_key>& sample, std::size_t number_of_slabs)
 {
-  Splitters<Scalar> splitters;
+  Splitters splitters;
   exchange.in_agreement([&] {
     if(exchange.rank() == 0)
       for(std::size_t slab = 1; slab < number_of_slabs; ++slab)
@@ -380,13 +377,13 @@ Splitters<Scalar> choose_splitters(Exchange& exchange,
 }
 
 // Some triangles of this rank, by the places of their vertices, to foresee how many slabs triangles meet.
-// value_of(vertex) is asked for vertices of this rank's range. Collective.
-template <class Scalar, class Triangles, class ValueOf>
-std::vector<std::array<Order_key<Scalar>, 3>> sample_triangles(Exchange& exchange,
-                                                               const Vertex_ranges& ranges,
-                                                               const Triangles& triangles,
-                                                               std::uint64_t number_of_triangles,
-                                                               const ValueOf& value_of)
+// key_of(vertex) is asked for vertices of this rank's range. Collective.
+template <class Triangles, class KeyOf>
+std::vector<std::array<Order_key, 3>> sample_triangles(Exchange& exchange,
+                                                       const Vertex_ranges& ranges,
+                                                       const Triangles& triangles,
+                                                       std::uint64_t number_of_triangles,
+                                                       const KeyOf& key_of)
 {
   constexpr std::uint64_t sample_size = std::uint64_t(1) << 15;
   std::vector<std::array<Long_index, 3>> sample;
@@ -403,11 +400,11 @@ std::vector<std::array<Order_key<Scalar>, 3>> sample_triangles(Exchange& exchang
     });
     vertices.number();
   });
-  Indexed_vector<Vertex_index, Scalar> values;
-  ask_owners(exchange, ranges, vertices, value_of, values);
-  std::vector<std::array<Order_key<Scalar>, 3>> result;
+  Vertex_keys keys;
+  ask_owners(exchange, ranges, vertices, key_of, keys);
+  std::vector<std::array<Order_key, 3>> result;
   exchange.in_agreement([&] {
-    const auto place = [&](Long_index v) { return Order_key<Scalar>{values[vertices[v]], v}; };
+    const auto place = [&](Long_index v) { return Order_key{keys[vertices[v]], v}; };
     for(const std::array<Long_index, 3>& t : sample)
       result.push_back({place(t[0]), place(t[1]), place(t[2])});
   });
@@ -415,13 +412,12 @@ std::vector<std::array<Order_key<Scalar>, 3>> sample_triangles(Exchange& exchang
 }
 
 // How many slabs a triangle of a sample meets, on average. Collective.
-template <class Scalar>
-double slabs_per_triangle(const Exchange& exchange,
-                          const std::vector<std::array<Order_key<Scalar>, 3>>& triangles,
-                          const Splitters<Scalar>& splitters)
+inline double slabs_per_triangle(const Exchange& exchange,
+                                 const std::vector<std::array<Order_key, 3>>& triangles,
+                                 const Splitters& splitters)
 {
   std::array<std::uint64_t, 2> counts = {0, triangles.size()}, sums = {};
-  for(const std::array<Order_key<Scalar>, 3>& triangle : triangles)
+  for(const std::array<Order_key, 3>& triangle : triangles)
   {
     const auto ends = std::minmax_element(triangle.begin(), triangle.end());
     counts[0] += slab_of(splitters, *ends.second) - slab_of(splitters, *ends.first) + 1;

@@ -37,13 +37,11 @@ namespace CGAL::Reeb_graph::internal {
 
 // An arc that begins at a critical vertex, as all ranks know it, and the first step of its chain. Critical vertices are
 // numbered in ascending order.
-template <class Scalar>
 struct Critical_arc
 {
   Index lower;
   Index upper; // a critical vertex; of an open arc, a contour of the highest level of its block
-  Long_index first_target;
-  Scalar value_of_first_target;
+  Order_key first_target;
 };
 
 // Where a contour of the lowest level of a block leads to: a critical vertex, or a contour of its highest level.
@@ -54,16 +52,13 @@ struct Upper_end
 };
 
 // Adjacent slabs with the arcs between their critical vertices, and what crosses their lowest and their highest level.
-template <class Scalar>
 class Slab_block
 {
 public:
   Slab_block() = default;
 
   // One slab. `names` has the numbers of its critical vertices among those of all slabs.
-  Slab_block(const Arcs_of_slab& found,
-             const Slab_surface<Scalar>& surface,
-             const Indexed_vector<Swept_index, Index>& names)
+  Slab_block(const Arcs_of_slab& found, const Slab_surface& surface, const Indexed_vector<Swept_index, Index>& names)
     : ends_of_contours_(found.numbers_of_contours[Side::LOWER])
   {
     const Tree_node first_contour(names.size());
@@ -78,16 +73,16 @@ public:
         continue;
       }
       const Vertex_index target = arc.first_step.target;
-      add({names[arc.lower_vertex()], upper, surface.global_vertices[target], surface.values[target]}, is_open);
+      add({names[arc.lower_vertex()], upper, {surface.keys[target], surface.global_vertices[target]}}, is_open);
     }
   }
 
   // The parts of a block that are needed to put it on top of another one.
   const std::vector<Upper_end>& ends_of_contours() const { return ends_of_contours_; }
-  const std::vector<Critical_arc<Scalar>>& open_arcs() const { return open_arcs_; }
+  const std::vector<Critical_arc>& open_arcs() const { return open_arcs_; }
 
   // Glues these parts of another block on top of this one. (The paper, Section 5.3.)
-  void put_on_top(const std::vector<Upper_end>& ends_of_contours, std::vector<Critical_arc<Scalar>> open_arcs)
+  void put_on_top(const std::vector<Upper_end>& ends_of_contours, std::vector<Critical_arc> open_arcs)
   {
     for(Upper_end& end : ends_of_contours_)
     {
@@ -95,7 +90,7 @@ public:
         end = ends_of_contours[end.number];
     }
     open_arcs_.swap(open_arcs);
-    for(Critical_arc<Scalar>& arc : open_arcs)
+    for(Critical_arc& arc : open_arcs)
     {
       const Upper_end end = ends_of_contours[arc.upper];
       arc.upper = end.number;
@@ -104,21 +99,20 @@ public:
   }
 
   // The arcs of which both ends are critical vertices.
-  const std::vector<Critical_arc<Scalar>>& arcs() const { return arcs_; }
+  const std::vector<Critical_arc>& arcs() const { return arcs_; }
 
 private:
-  void add(const Critical_arc<Scalar>& arc, bool is_open) { (is_open ? open_arcs_ : arcs_).push_back(arc); }
+  void add(const Critical_arc& arc, bool is_open) { (is_open ? open_arcs_ : arcs_).push_back(arc); }
 
   std::vector<Upper_end> ends_of_contours_; // of the lowest level
-  std::vector<Critical_arc<Scalar>> open_arcs_;
-  std::vector<Critical_arc<Scalar>> arcs_;
+  std::vector<Critical_arc> open_arcs_;
+  std::vector<Critical_arc> arcs_;
 };
 
 // Glues the slabs of the ranks, each rank's block to the one above it, in as many rounds as it takes to double one slab
 // to all of them. Afterwards, each arc between critical vertices is in the block of the rank where its last two parts
 // have met. Collective.
-template <class Scalar>
-void glue_slabs(Exchange& exchange, std::size_t number_of_slabs, Slab_block<Scalar>& block)
+inline void glue_slabs(Exchange& exchange, std::size_t number_of_slabs, Slab_block& block)
 {
   const std::size_t slab = exchange.rank();
   for(std::size_t size = 1; size < number_of_slabs; size *= 2)
@@ -136,113 +130,86 @@ void glue_slabs(Exchange& exchange, std::size_t number_of_slabs, Slab_block<Scal
   }
 }
 
-// The total order of vertices that are not numbered as on the surface: by value, then by global index.
-template <class Scalar>
-class Gathered_order : public Vertex_order<Scalar, std::less<Scalar>>
-{
-  typedef Vertex_order<Scalar, std::less<Scalar>> Base;
-
-public:
-  Gathered_order(const Indexed_vector<Vertex_index, Scalar>& values,
-                 const Indexed_vector<Vertex_index, Long_index>& global_vertices)
-    : Base(values, std::less<Scalar>()),
-      values_(&values),
-      global_vertices_(&global_vertices)
-  {}
-
-  using Base::operator();
-  bool operator()(Vertex_index u, Vertex_index v) const { return place(u) < place(v); }
-
-private:
-  Order_key<Scalar> place(Vertex_index v) const { return {(*values_)[v], (*global_vertices_)[v]}; }
-
-  const Indexed_vector<Vertex_index, Scalar>* values_;
-  const Indexed_vector<Vertex_index, Long_index>* global_vertices_;
-};
-
 // The critical vertices and the arcs between them, of all ranks, as rank 0 takes them where a whole surface has been
 // before: a surface without triangles, of the critical vertices and the ends of the first steps from them, where each
 // arc has one halfedge, its first step.
-template <class Scalar>
 class Gathered_surface
 {
 public:
   // The critical vertices have to be in ascending order.
-  Gathered_surface(const std::vector<Order_key<Scalar>>& critical_vertices,
-                   const std::vector<Critical_arc<Scalar>>& arcs,
-                   Ties ties)
+  Gathered_surface(const std::vector<Order_key>& critical_vertices, const std::vector<Critical_arc>& arcs)
   {
-    values_.reserve(critical_vertices.size() + arcs.size());
-    global_vertices_.reserve(values_.capacity());
-    for(const Order_key<Scalar>& place : critical_vertices)
-      add_vertex(place);
-    add_first_targets(arcs, ties);
-    critical_vertices_.resize(critical_vertices.size(), {0, 0});
+    const std::vector<Vertex_index> numbers = number_vertices(critical_vertices, arcs);
+    const std::size_t size = critical_vertices.size();
+    critical_vertices_.resize(size, {0, 0});
     for(const Swept_index i :
         critical_vertices_.indices()) // Their sectors stay on their ranks: they have made the arcs.
-      critical_vertices_.set(i, Vertex_index(i.number()), false, false, {0, 0});
-    critical_vertices_.template sort<Sequential_tag>(order());
+      critical_vertices_.set(i, numbers[i.number()], false, false, {0, 0});
+    critical_vertices_.sort<Sequential_tag>(order());
+    arcs_.reserve(arcs.size());
+    for(const Critical_arc& arc : arcs)
+    {
+      const Swept_arc_index i = arcs_.end_key();
+      arcs_.push_back(
+        {Tree_node(arc.lower), Tree_node(arc.upper), {Halfedge_index(i.number()), numbers[size + i.number()]}});
+    }
   }
 
   const Indexed_vector<Vertex_index, Long_index>& global_vertices() const { return global_vertices_; }
-  const Indexed_vector<Vertex_index, Scalar>& values() const { return values_; }
-  Gathered_order<Scalar> order() const { return {values_, global_vertices_}; }
+  const Vertex_keys& keys() const { return keys_; }
+  Vertex_order order() const { return Vertex_order(keys_); }
   const Swept_vertices& critical_vertices() const { return critical_vertices_; }
   const Swept_arcs& arcs() const { return arcs_; }
 
   // The interface of a complex, as far as it is needed here.
-  Vertex_index source(Halfedge_index first_step) const { return Vertex_index(arc(first_step).lower.number()); }
-  Vertex_index target(Halfedge_index first_step) const { return arc(first_step).first_step.target; }
-  [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
+  Vertex_index source(Halfedge_index first_step) const
   {
-    throw Unordered_scalar_error::contradiction_near(static_cast<std::size_t>(global_vertices_[vertex]));
+    return critical_vertices_.vertex(arc(first_step).lower_vertex());
   }
+  Vertex_index target(Halfedge_index first_step) const { return arc(first_step).first_step.target; }
 
 private:
   const Swept_arc& arc(Halfedge_index first_step) const { return arcs_[Swept_arc_index(first_step.number())]; }
 
-  void add_vertex(const Order_key<Scalar>& place)
+  // Numbers the vertices in the order of their global indices, which break ties. Returns the numbers of the critical
+  // vertices, and behind them those of the ends of first steps.
+  std::vector<Vertex_index> number_vertices(const std::vector<Order_key>& critical_vertices,
+                                            const std::vector<Critical_arc>& arcs)
   {
-    checked_index(values_.size());
-    values_.push_back(place.value);
-    global_vertices_.push_back(place.vertex);
-  }
-
-  // Where ties are contracted, first steps from several vertices of a plateau can end at one vertex, which gets one
-  // number then; otherwise, nobody compares those that do.
-  void add_first_targets(const std::vector<Critical_arc<Scalar>>& arcs, Ties ties)
-  {
-    std::vector<Index> order(checked_index(arcs.size()));
-    std::iota(order.begin(), order.end(), Index(0));
-    if(ties == Ties::CONTRACT)
-      std::sort(order.begin(), order.end(),
-                [&](Index a, Index b) { return arcs[a].first_target < arcs[b].first_target; });
-    arcs_.resize(arcs.size());
-    const Critical_arc<Scalar>* last = nullptr;
-    for(const Index i : order)
+    std::vector<std::pair<Order_key, Index>> places;
+    places.reserve(critical_vertices.size() + arcs.size());
+    const auto add = [&](const Order_key& key) { places.emplace_back(key, static_cast<Index>(places.size())); };
+    for(const Order_key& key : critical_vertices)
+      add(key);
+    for(const Critical_arc& arc : arcs)
+      add(arc.first_target);
+    checked_index(places.size());
+    std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first.name < b.first.name; });
+    std::vector<Vertex_index> numbers(places.size());
+    for(const auto& [key, place] : places)
     {
-      if(last == nullptr || last->first_target != arcs[i].first_target)
-        add_vertex({arcs[i].value_of_first_target, arcs[i].first_target});
-      last = &arcs[i];
-      arcs_[Swept_arc_index(i)] = {
-        Tree_node(last->lower), Tree_node(last->upper), {Halfedge_index(i), values_.last_key()}};
+      if(global_vertices_.empty() || global_vertices_.back() != key.name)
+      {
+        global_vertices_.push_back(key.name);
+        keys_.push_back(key.key);
+      }
+      numbers[place] = global_vertices_.last_key();
     }
+    return numbers;
   }
 
-  Indexed_vector<Vertex_index, Long_index> global_vertices_; // the critical ones, ascending, then others
-  Indexed_vector<Vertex_index, Scalar> values_;
+  Indexed_vector<Vertex_index, Long_index> global_vertices_; // ascending
+  Vertex_keys keys_;
   Swept_vertices critical_vertices_;
   Swept_arcs arcs_;
 };
 
 // A segment of a chain that has been walked as far as a vertex, up to the level just below another one.
-template <class Scalar>
 struct Climbing_segment
 {
   Long_index vertex;
   Long_index vertex_before; // from which the first step has led there
-  Long_index upper_vertex;
-  Scalar value_of_upper_vertex;
+  Order_key upper_vertex;
   Index arc;
   Index segment;
   Index goes_on; // whether the upper vertex is above the one that has been reached
@@ -257,20 +224,20 @@ struct Part_of_segment
 };
 
 // The parts of chains on a rank: the steps that begin in its slab, as sequences of vertices.
-template <class Scalar, class Complex, class Order>
+template <class Complex>
 class Chain_parts
 {
 public:
-  Chain_parts(const Slab_surface<Scalar>& surface, const Complex& complex, const Order& order)
+  Chain_parts(const Slab_surface& surface, const Complex& complex, const Vertex_order& order)
     : surface_(surface),
       complex_(complex),
       order_(order)
   {}
 
   // Walks segments that begin in the slab with the step that is known.
-  void begin(const std::vector<Climbing_segment<Scalar>>& segments)
+  void begin(const std::vector<Climbing_segment>& segments)
   {
-    for(const Climbing_segment<Scalar>& segment : segments)
+    for(const Climbing_segment& segment : segments)
     {
       vertices_.push_back(segment.vertex_before);
       walk(segment);
@@ -278,14 +245,14 @@ public:
   }
 
   // Walks segments that have come from below.
-  void go_on(const std::vector<Climbing_segment<Scalar>>& segments)
+  void go_on(const std::vector<Climbing_segment>& segments)
   {
-    for(const Climbing_segment<Scalar>& segment : segments)
+    for(const Climbing_segment& segment : segments)
       walk(segment);
   }
 
   // The segments that go on above the slab; they are none then.
-  std::vector<Climbing_segment<Scalar>> take_leaving() { return std::exchange(leaving_, {}); }
+  std::vector<Climbing_segment> take_leaving() { return std::exchange(leaving_, {}); }
 
   const std::vector<Part_of_segment>& parts() const { return parts_; }
   const std::vector<Long_index>& vertices() const { return vertices_; } // of all parts
@@ -293,18 +260,19 @@ public:
 private:
   // A path that has entered an arc cannot leave it below the upper node, so comparisons tell the end. A part of one
   // vertex, where the segment only passes the slab, is none.
-  void walk(Climbing_segment<Scalar> segment)
+  void walk(Climbing_segment segment)
   {
     vertices_.push_back(segment.vertex);
     if(segment.goes_on != 0)
     {
-      const auto is_below = [&](Vertex_index v) { return is_lower(v, segment); };
+      // Whether a vertex is below the upper one of the segment, which may be on another rank.
+      const auto is_below = [&](Vertex_index v) {
+        return order_.key(v, surface_.global_vertices[v]) < segment.upper_vertex;
+      };
       const auto goes_on = [&](Vertex_index v) {
         return surface_.slabs_of_vertices[v] == surface_.inside() && is_below(v);
       };
-      const auto add = [&](Vertex_index, const Ascending_step& step) {
-        vertices_.push_back(surface_.global_vertices[step.target]);
-      };
+      const auto add = [&](const Ascending_step& step) { vertices_.push_back(surface_.global_vertices[step.target]); };
       const Vertex_index end = climb(complex_, order_, find_vertex(segment.vertex), goes_on, add);
       segment.vertex = surface_.global_vertices[end];
       if(is_below(end))
@@ -324,17 +292,10 @@ private:
     return Vertex_index(static_cast<std::size_t>(place - vertices.begin()));
   }
 
-  // Whether the vertex is below the upper one of the segment, which may be on another rank.
-  bool is_lower(Vertex_index v, const Climbing_segment<Scalar>& segment) const
-  {
-    return order_.is_lower(v, segment.value_of_upper_vertex)
-        || (!order_.is_higher(v, segment.value_of_upper_vertex) && surface_.global_vertices[v] < segment.upper_vertex);
-  }
-
-  const Slab_surface<Scalar>& surface_;
+  const Slab_surface& surface_;
   const Complex& complex_;
-  const Order& order_;
-  std::vector<Climbing_segment<Scalar>> leaving_;
+  const Vertex_order& order_;
+  std::vector<Climbing_segment> leaving_;
   std::vector<Part_of_segment> parts_;
   std::vector<Long_index> vertices_;
   std::size_t end_of_parts_ = 0; // among the vertices
@@ -342,10 +303,9 @@ private:
 
 // The segments of the chains, for the ranks where they begin. `begins_of_ranks` has the number of the first critical
 // vertex of each rank, and the end. For rank 0.
-template <class Scalar>
-Gathered_arrays<Climbing_segment<Scalar>> list_segments(const Gathered_surface<Scalar>& surface,
-                                                        const Flat_graph& graph,
-                                                        const std::vector<std::size_t>& begins_of_ranks)
+inline Gathered_arrays<Climbing_segment> list_segments(const Gathered_surface& surface,
+                                                       const Flat_graph& graph,
+                                                       const std::vector<std::size_t>& begins_of_ranks)
 {
   const auto order = surface.order();
   const auto& vertices = surface.global_vertices();
@@ -354,7 +314,7 @@ Gathered_arrays<Climbing_segment<Scalar>> list_segments(const Gathered_surface<S
     const auto behind = std::upper_bound(begins_of_ranks.begin(), begins_of_ranks.end(), lower);
     return static_cast<std::size_t>(behind - begins_of_ranks.begin()) - 1;
   };
-  Gathered_arrays<Climbing_segment<Scalar>> segments = {{}, std::vector<std::size_t>(begins_of_ranks.size(), 0)};
+  Gathered_arrays<Climbing_segment> segments = {{}, std::vector<std::size_t>(begins_of_ranks.size(), 0)};
   for(const Chain_segment& segment : graph.segments)
     ++segments.begins[rank_of(segment) + 1];
   std::partial_sum(segments.begins.begin(), segments.begins.end(), segments.begins.begin());
@@ -368,8 +328,7 @@ Gathered_arrays<Climbing_segment<Scalar>> list_segments(const Gathered_surface<S
       const bool goes_on = order(first_step.target, upper_vertex);
       segments.elements[ends[rank_of(graph.segments[segment])]++] = {vertices[first_step.target],
                                                                      vertices[surface.source(first_step.edge)],
-                                                                     vertices[upper_vertex],
-                                                                     surface.values()[upper_vertex],
+                                                                     order.key(upper_vertex, vertices[upper_vertex]),
                                                                      arc.number(),
                                                                      segment.number(),
                                                                      goes_on ? Index(1) : Index(0)};
@@ -402,27 +361,25 @@ inline std::vector<std::pair<std::size_t, std::size_t>> join_chain_parts(std::si
 }
 
 // The graph by the vertices of rank 0, and those; on the other ranks, there is nothing in it.
-template <class Scalar>
 struct Gathered_graph
 {
-  std::optional<Gathered_surface<Scalar>> surface;
+  std::optional<Gathered_surface> surface;
   Flat_graph graph;
   std::vector<std::size_t> begins_of_ranks; // by rank: the number of its first critical vertex; and the end
 };
 
 // Glues the slabs, and gathers the graph at rank 0. Collective.
-template <class Scalar>
-Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
-                                       const Slab_surface<Scalar>& surface,
-                                       const Swept_vertices& critical_vertices,
-                                       Arcs_of_slab found,
-                                       Ties ties,
-                                       bool are_degree_two_nodes_kept)
+inline Gathered_graph glue_and_gather(Exchange& exchange,
+                                      const Slab_surface& surface,
+                                      const Swept_vertices& critical_vertices,
+                                      Arcs_of_slab found,
+                                      Ties ties,
+                                      bool are_degree_two_nodes_kept)
 {
   const std::size_t size = critical_vertices.size();
   const std::size_t end = boost::mpi::scan(exchange.communicator(), size, std::plus<std::size_t>());
-  Slab_block<Scalar> block;
-  std::vector<Order_key<Scalar>> places;
+  Slab_block block;
+  std::vector<Order_key> places;
   exchange.in_agreement([&] {
     Indexed_vector<Swept_index, Index> names(size);
     Index name = checked_index(end) - static_cast<Index>(size);
@@ -431,21 +388,21 @@ Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
     {
       names[i] = name++;
       const Vertex_index vertex = critical_vertices.vertex(i);
-      places.push_back({surface.values[vertex], surface.global_vertices[vertex]});
+      places.push_back({surface.keys[vertex], surface.global_vertices[vertex]});
     }
-    block = Slab_block<Scalar>(found, surface, names);
+    block = Slab_block(found, surface, names);
     found = Arcs_of_slab();
   });
   glue_slabs(exchange, surface.number_of_slabs, block);
 
   const auto all_places = gather_arrays(exchange, places);
   const auto all_arcs = gather_arrays(exchange, block.arcs());
-  Gathered_graph<Scalar> gathered;
+  Gathered_graph gathered;
   exchange.in_agreement([&] {
     if(exchange.rank() != 0)
       return;
     gathered.begins_of_ranks = all_places.begins;
-    const auto& whole = gathered.surface.emplace(all_places.elements, all_arcs.elements, ties);
+    const auto& whole = gathered.surface.emplace(all_places.elements, all_arcs.elements);
     gathered.graph = reduce_arcs<Sequential_tag>(whole, whole.order(), whole.critical_vertices(), whole.arcs(), ties,
                                                  are_degree_two_nodes_kept, false);
   });
@@ -454,15 +411,15 @@ Gathered_graph<Scalar> glue_and_gather(Exchange& exchange,
 
 // Walks the chains slab by slab: each rank those in its slab, and hands them on upwards, until no rank has any left.
 // Collective.
-template <class Scalar, class ChainParts>
-void walk_chains(Exchange& exchange, const Gathered_graph<Scalar>& gathered, ChainParts& parts)
+template <class ChainParts>
+void walk_chains(Exchange& exchange, const Gathered_graph& gathered, ChainParts& parts)
 {
-  Gathered_arrays<Climbing_segment<Scalar>> all_segments;
+  Gathered_arrays<Climbing_segment> all_segments;
   exchange.in_agreement([&] {
     if(exchange.rank() == 0)
       all_segments = list_segments(*gathered.surface, gathered.graph, gathered.begins_of_ranks);
   });
-  std::vector<Climbing_segment<Scalar>> segments = scatter_arrays(exchange, all_segments);
+  std::vector<Climbing_segment> segments = scatter_arrays(exchange, all_segments);
   const int rank = exchange.communicator().rank();
   const int above = rank + 1 < exchange.communicator().size() ? rank + 1 : no_rank;
   const int below = rank == 0 ? no_rank : rank - 1;
@@ -479,9 +436,9 @@ void walk_chains(Exchange& exchange, const Gathered_graph<Scalar>& gathered, Cha
 
 // Writes the graph at rank 0, with chains of the parts that all ranks have walked, and clears it on the other ranks.
 // Collective.
-template <class Scalar, class ReebGraph>
+template <class ReebGraph>
 void write_gathered_graph(Exchange& exchange,
-                          const Gathered_graph<Scalar>& gathered,
+                          const Gathered_graph& gathered,
                           const std::vector<Part_of_segment>& parts,
                           const std::vector<Long_index>& vertices,
                           ReebGraph& graph)
@@ -495,8 +452,8 @@ void write_gathered_graph(Exchange& exchange,
     Flat_chains chains;
     const auto pairs = std::make_shared<const Vertex_pairs>(
       join_chain_parts(gathered.graph.segments.size(), all_parts.elements, all_vertices.elements, chains));
-    write_nodes_and_arcs<Sequential_tag>(gathered.surface->global_vertices(), gathered.surface->values(),
-                                         gathered.graph, graph);
+    const Keyed_field<Value_of_node<ReebGraph>> field(gathered.surface->keys(), false);
+    write_nodes_and_arcs<Sequential_tag>(gathered.surface->global_vertices(), field, gathered.graph, graph);
     write_chains(pairs, chains, gathered.graph, graph);
   });
 }

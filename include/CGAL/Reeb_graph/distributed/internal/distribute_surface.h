@@ -24,11 +24,28 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
+
+// Whether a double holds a number; of integers, those up to 2^53 count.
+template <class Number>
+bool is_held_by_double(Number number)
+{
+  constexpr int digits = std::numeric_limits<double>::digits;
+  if constexpr(std::numeric_limits<Number>::digits <= digits)
+    return true;
+  else if constexpr(std::is_integral_v<Number>)
+  {
+    constexpr Number largest = Number(1) << digits;
+    return number <= largest && (std::is_unsigned_v<Number> || number >= Number(0) - largest);
+  }
+  else
+    return static_cast<Number>(static_cast<double>(number)) == number;
+}
 
 // The part of the surface that a rank has brought, and how large that of all ranks is.
 template <class TriangleRange, class ScalarRange>
@@ -83,13 +100,18 @@ struct Local_part
     auto value = std::begin(scalars)[static_cast<std::ptrdiff_t>(vertex - begin)];
     return value;
   }
+  double key(Long_index vertex) const { return static_cast<double>(value(vertex)); }
 
-  // Throws if a value is NaN.
+  // Throws if a value is NaN, or none that a double holds: ranks of all values are not known where a few are.
   void check_scalars() const
   {
     for(Long_index v = begin; v != begin + size; ++v)
+    {
       if(!is_ordered(value(v)))
         throw Unordered_scalar_error(static_cast<std::size_t>(v));
+      if(!is_held_by_double(value(v)))
+        throw Inexact_scalar_error(static_cast<std::size_t>(v));
+    }
   }
 
   // Calls visit(vertex) for each corner of each triangle. Throws if a triangle has not three different vertices, by its
@@ -311,19 +333,18 @@ inline constexpr std::uint64_t smallest_limited_surface = std::uint64_t(1) << 15
 
 // Chooses the levels between as many slabs as are asked for, or fewer if a triangle meets too many of them, as on noise.
 // Collective.
-template <class Scalar, class LocalPart>
-Splitters<Scalar> choose_slabs(Exchange& exchange,
-                               const LocalPart& part,
-                               std::size_t number_of_slabs,
-                               Distribution_counts& counts)
+template <class LocalPart>
+Splitters choose_slabs(Exchange& exchange,
+                       const LocalPart& part,
+                       std::size_t number_of_slabs,
+                       Distribution_counts& counts)
 {
   if(number_of_slabs == 1)
     return {};
-  const auto vertices =
-    sample_vertices<Scalar>(exchange, part.begin, part.scalars, part.number_of_vertices(), number_of_slabs);
-  const auto triangles = sample_triangles<Scalar>(exchange, part.ranges, part.triangles, part.number_of_triangles,
-                                                  [&](Long_index v) { return part.value(v); });
-  Splitters<Scalar> splitters = choose_splitters(exchange, vertices, number_of_slabs);
+  const auto vertices = sample_vertices(exchange, part.begin, part.scalars, part.number_of_vertices(), number_of_slabs);
+  const auto triangles = sample_triangles(exchange, part.ranges, part.triangles, part.number_of_triangles,
+                                          [&](Long_index v) { return part.key(v); });
+  Splitters splitters = choose_splitters(exchange, vertices, number_of_slabs);
   double crossings = slabs_per_triangle(exchange, triangles, splitters);
   counts.slabs_per_triangle_if_all = crossings;
   while(crossings > most_slabs_per_triangle && part.number_of_triangles >= smallest_limited_surface)
@@ -361,22 +382,22 @@ std::vector<Slab_range> find_slabs_of_triangles(Exchange& exchange,
   return result;
 }
 
-// Fills in the vertices that are numbered, their values, and on which side of the slab they are. Collective.
-template <class Scalar, class LocalPart>
+// Fills in the vertices that are numbered, their keys, and on which side of the slab they are. Collective.
+template <class LocalPart>
 void fill_vertices(Exchange& exchange,
                    const LocalPart& part,
                    const Vertex_numbering& numbering,
-                   const Splitters<Scalar>& splitters,
-                   Slab_surface<Scalar>& surface)
+                   const Splitters& splitters,
+                   Slab_surface& surface)
 {
   ask_owners(
-    exchange, part.ranges, numbering, [&](Long_index v) { return part.value(v); }, surface.values);
+    exchange, part.ranges, numbering, [&](Long_index v) { return part.key(v); }, surface.keys);
   exchange.in_agreement([&] {
     surface.global_vertices.reserve(numbering.size());
     surface.slabs_of_vertices.reserve(numbering.size());
     numbering.for_each_word(0, [&](const Vertex_word& word) {
       word.for_each([&](Long_index v) {
-        const Order_key<Scalar> place = {surface.values[surface.global_vertices.end_key()], v};
+        const Order_key place = {surface.keys[surface.global_vertices.end_key()], v};
         const bool is_below = surface.slab != 0 && !(splitters[surface.slab - 1] < place);
         const bool is_above = surface.slab < splitters.size() && splitters[surface.slab] < place;
         surface.global_vertices.push_back(v);
@@ -390,18 +411,18 @@ void fill_vertices(Exchange& exchange,
 
 // Gives each rank the part of the surface that it needs for its slab, of as many slabs as asked for at most. `Vertex`
 // is the type of the vertices on the way. Collective.
-template <class Scalar, class Vertex, class LocalPart>
-Slab_surface<Scalar> exchange_surface(Exchange& exchange,
-                                      const LocalPart& part,
-                                      Vertex_numbering vertices,
-                                      const Splitters<Scalar>& splitters,
-                                      Distribution_counts& counts)
+template <class Vertex, class LocalPart>
+Slab_surface exchange_surface(Exchange& exchange,
+                              const LocalPart& part,
+                              Vertex_numbering vertices,
+                              const Splitters& splitters,
+                              Distribution_counts& counts)
 {
   std::vector<Short_slab> slabs_of_range;
   exchange.in_agreement([&] {
     slabs_of_range.reserve(part.size);
     for(Long_index v = part.begin; v != part.begin + part.size; ++v)
-      slabs_of_range.push_back(static_cast<Short_slab>(slab_of(splitters, Order_key<Scalar>{part.value(v), v})));
+      slabs_of_range.push_back(static_cast<Short_slab>(slab_of(splitters, Order_key{part.key(v), v})));
   });
   std::vector<Slab_range> slabs = find_slabs_of_triangles(exchange, part, vertices, slabs_of_range);
   exchange.in_agreement([&] { vertices = Vertex_numbering(part.number_of_vertices()); });
@@ -417,13 +438,13 @@ Slab_surface<Scalar> exchange_surface(Exchange& exchange,
   counts.copies = expected.copies;
   exchange.in_agreement([&] { checked_index(static_cast<std::size_t>(3 * expected.triangles)); });
 
-  Slab_surface<Scalar> surface;
+  Slab_surface surface;
   surface.slab = exchange.rank();
   surface.number_of_slabs = splitters.size() + 1;
   if(surface.has_slab() && !surface.is_lowest())
-    surface.lower_bound = splitters[surface.slab - 1].value;
+    surface.lower_bound = splitters[surface.slab - 1].key;
   if(surface.has_slab() && !surface.is_highest())
-    surface.upper_bound = splitters[surface.slab].value;
+    surface.upper_bound = splitters[surface.slab].key;
   auto received = send_triangles<Vertex>(exchange, part.triangles, slabs, expected.triangles, vertices);
   std::vector<Slab_range>().swap(slabs);
   exchange.in_agreement([&] {
@@ -439,13 +460,13 @@ Slab_surface<Scalar> exchange_surface(Exchange& exchange,
 // Gives each rank the part of the surface that it needs for its slab. There are as many slabs as are asked for and
 // ranks are there, or fewer if triangles meet too many slabs; 0 asks for as many as ranks. Collective: what is wrong on
 // any rank is thrown on all.
-template <class Scalar, class VertexRange, class TriangleRange, class ScalarRange>
-Slab_surface<Scalar> distribute_surface(Exchange& exchange,
-                                        const VertexRange& local_vertices,
-                                        const TriangleRange& local_triangles,
-                                        const ScalarRange& local_scalars,
-                                        std::size_t number_of_slabs,
-                                        Distribution_counts& counts)
+template <class VertexRange, class TriangleRange, class ScalarRange>
+Slab_surface distribute_surface(Exchange& exchange,
+                                const VertexRange& local_vertices,
+                                const TriangleRange& local_triangles,
+                                const ScalarRange& local_scalars,
+                                std::size_t number_of_slabs,
+                                Distribution_counts& counts)
 {
   const Local_part<TriangleRange, ScalarRange> part(exchange, local_vertices, local_triangles, local_scalars);
   Vertex_numbering vertices;
@@ -458,10 +479,10 @@ Slab_surface<Scalar> distribute_surface(Exchange& exchange,
   const std::size_t most = (std::min)({exchange.number_of_ranks(), most_slabs,
                                        static_cast<std::size_t>((std::max)(part.number_of_vertices(), Long_index(1)))});
   number_of_slabs = number_of_slabs == 0 ? most : (std::min)(number_of_slabs, most);
-  const Splitters<Scalar> splitters = choose_slabs<Scalar>(exchange, part, number_of_slabs, counts);
+  const Splitters splitters = choose_slabs(exchange, part, number_of_slabs, counts);
   if(part.number_of_vertices() < no_index)
-    return exchange_surface<Scalar, Vertex_index>(exchange, part, std::move(vertices), splitters, counts);
-  return exchange_surface<Scalar, Long_index>(exchange, part, std::move(vertices), splitters, counts);
+    return exchange_surface<Vertex_index>(exchange, part, std::move(vertices), splitters, counts);
+  return exchange_surface<Long_index>(exchange, part, std::move(vertices), splitters, counts);
 }
 
 } // namespace CGAL::Reeb_graph::internal

@@ -108,6 +108,7 @@ public:
     case Kind::MESH_SIZE: throw Mesh_size_error();
     case Kind::VERTEX_RANGES: throw Vertex_ranges_error(first);
     case Kind::UNORDERED_SCALAR: throw Unordered_scalar_error(first);
+    case Kind::INEXACT_SCALAR: throw Inexact_scalar_error(first);
     case Kind::VERTEX_OUT_OF_RANGE: throw Vertex_out_of_range_error("face", first);
     case Kind::NON_TRIANGULAR_FACE: throw Non_triangular_face_error(first);
     case Kind::DEGENERATE_FACE: throw Degenerate_face_error(first);
@@ -131,6 +132,7 @@ private:
     MESH_SIZE,
     VERTEX_RANGES,
     UNORDERED_SCALAR,
+    INEXACT_SCALAR,
     VERTEX_OUT_OF_RANGE,
     NON_TRIANGULAR_FACE,
     DEGENERATE_FACE,
@@ -151,6 +153,8 @@ private:
       return Fault(Kind::VERTEX_RANGES, ranges->vertex());
     if(const auto* scalar = dynamic_cast<const Unordered_scalar_error*>(&error))
       return Fault(Kind::UNORDERED_SCALAR, scalar->vertex());
+    if(const auto* scalar = dynamic_cast<const Inexact_scalar_error*>(&error))
+      return Fault(Kind::INEXACT_SCALAR, scalar->vertex());
     if(const auto* index = dynamic_cast<const Vertex_out_of_range_error*>(&error))
       return Fault(Kind::VERTEX_OUT_OF_RANGE, index->position());
     if(const auto* face = dynamic_cast<const Non_triangular_face_error*>(&error))

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
+#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
@@ -26,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -46,45 +46,30 @@ struct Slabs_of_rank
 // vertex of the slab. A level between two slabs crosses only triangles with vertices on both sides of it, and these
 // meet both slabs, so both ranks hold all of the level, and find and close its contours alike. A vertex of the slab has
 // its whole star here, and any other one any part of it. Rank r has slab r; a rank beyond the slabs has empty arrays.
-template <class Scalar>
 struct Slab_surface : Slabs_of_rank
 {
   bool has_slab() const { return slab < number_of_slabs; }
   bool is_lowest() const { return slab == 0; }
   bool is_highest() const { return slab + 1 == number_of_slabs; }
 
-  Indexed_vector<Vertex_index, Long_index> global_vertices; // ascending, so local indices break ties as global ones
-  Indexed_vector<Vertex_index, Scalar> values;
+  Indexed_vector<Vertex_index, Long_index> global_vertices;   // ascending, so local indices break ties as global ones
+  Vertex_keys keys;                                           // the values, which doubles hold
   Indexed_vector<Vertex_index, Slab_index> slabs_of_vertices; // below(), inside() or above()
   std::vector<std::array<Vertex_index, 3>> triangles;         // in no order
   std::size_t slab = 0;
   std::size_t number_of_slabs = 1;
-  // the values of the levels between the slab and its neighbors, as far as it has any
-  std::optional<Scalar> lower_bound, upper_bound;
+  // the keys of the levels between the slab and its neighbors, as far as it has any
+  std::optional<double> lower_bound, upper_bound;
 };
 
-// A vertex with its value: its place in the total order of the vertices of all ranks.
-template <class Scalar>
-struct Order_key
-{
-  static_assert(std::is_arithmetic_v<Scalar>, "On several ranks, scalar values are numbers.");
-
-  Scalar value;
-  Long_index vertex;
-
-  friend bool operator<(const Order_key& a, const Order_key& b)
-  {
-    return a.value < b.value || (a.value == b.value && a.vertex < b.vertex);
-  }
-};
+// A vertex with its key: its place in the total order of the vertices of all ranks.
+typedef Vertex_order::Key<Long_index> Order_key;
 
 // The highest place of each slab but the last one, ascending.
-template <class Scalar>
-using Splitters = std::vector<Order_key<Scalar>>;
+typedef std::vector<Order_key> Splitters;
 
 // The slab in which a place is.
-template <class Scalar>
-std::size_t slab_of(const Splitters<Scalar>& splitters, const Order_key<Scalar>& place)
+inline std::size_t slab_of(const Splitters& splitters, const Order_key& place)
 {
   return static_cast<std::size_t>(std::lower_bound(splitters.begin(), splitters.end(), place) - splitters.begin());
 }
@@ -128,24 +113,22 @@ private:
 };
 
 // The surface that a rank holds, after its triangles have been linked. The complex refers to the arrays of the surface.
-template <class Scalar, class Complex = Triangle_complex>
+template <class Complex = Triangle_complex>
 struct Linked_slab
 {
   Linked_slab() = default;
   Linked_slab(const Linked_slab&) = delete;
   Linked_slab& operator=(const Linked_slab&) = delete;
 
-  Slab_surface<Scalar> surface;
+  Slab_surface surface;
   std::optional<Classified_complex<Complex>> classified;
 };
 
-// Calls visit(halfedges, is_closed) for each contour at the level just above the last vertex of value at most `value`,
-// which must be a level of the slab: in the order of their least edges, with which closed ones begin.
-template <class Scalar, class Visit>
-void for_each_contour(const Linked_slab<Scalar>& slab, const Scalar& value, const Visit& visit)
+// Calls visit(halfedges, is_closed) for each contour at a level of the slab, in the order of their least edges, with
+// which closed ones begin.
+template <class IsBelow, class Visit>
+void for_each_contour(const Triangle_complex& complex, const IsBelow& is_below, const Visit& visit)
 {
-  const Triangle_complex& complex = slab.classified->complex;
-  const auto is_below = [&](Vertex_index v) { return !(value < slab.surface.values[v]); };
   std::vector<bool> is_found(complex.number_of_edges(), false);
   Plain_vector<Halfedge_index> crossed;
   for(const Edge_index edge : Index_range<Edge_index>(complex.number_of_edges()))
@@ -276,8 +259,8 @@ private:
 class Levels_of_rank
 {
 public:
-  template <class Complex, class Scalar>
-  Levels_of_rank(const Complex& complex, const Slab_surface<Scalar>& surface)
+  template <class Complex>
+  Levels_of_rank(const Complex& complex, const Slab_surface& surface)
   {
     if(surface.has_slab() && !surface.is_lowest())
       levels_[Side::LOWER].emplace(complex.number_of_edges());
@@ -309,8 +292,8 @@ private:
 
 // Makes a complex of the triangles of the rank, and finds the critical vertices of its slab, at which a surface is
 // checked. Takes the triangles, and leaves the other arrays of the surface, to which the result refers.
-template <class Complex, class Scalar, class Order>
-Classified_complex<Complex> make_and_classify(Slab_surface<Scalar>& surface, const Order& order)
+template <class Complex>
+Classified_complex<Complex> make_and_classify(Slab_surface& surface, const Vertex_order& order)
 {
   if constexpr(Complex::is_surface)
   {
@@ -349,10 +332,10 @@ struct Arcs_of_slab
 
 // Finds the arcs between the critical vertices of the rank's slab and the contours of its bounding levels. Calls
 // report(fraction) now and then.
-template <class Scalar, class Complex, class Order, class ChosenMethod, class Report>
-Arcs_of_slab solve_slab(const Slab_surface<Scalar>& surface,
+template <class Complex, class ChosenMethod, class Report>
+Arcs_of_slab solve_slab(const Slab_surface& surface,
                         const Classified_complex<Complex>& classified,
-                        const Order& order,
+                        const Vertex_order& order,
                         ChosenMethod method,
                         const Report& report)
 {

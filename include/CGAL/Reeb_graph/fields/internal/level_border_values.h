@@ -602,7 +602,9 @@ Changes write_level_borders(const Mesh& mesh,
   const auto& numbers = flat->mesh->numbers;
   const auto less = traits.less_scalar_object();
   progress.report(0.2);
-  const std::vector<typename Traits::Scalar> values(flat->values.begin(), flat->values.end());
+  std::vector<typename Traits::Scalar> values;
+  for(const Vertex_index v : flat->field.keys().keys())
+    values.push_back(flat->field.value(v));
   const auto borders = vertices_of_borders(mesh, numbers.number_of);
   const auto graph = edge_graph(flat->mesh->complex);
   progress.report(0.9);

@@ -18,7 +18,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -69,7 +68,7 @@ void prefetch_element(const Vector& vector, Key key)
 // target defines CGAL_REEB_GRAPH_COMPILED: then headers declare that these are instantiated elsewhere. For all other
 // types, and without the macro, they are templates as any.
 //
-// A stage says so behind its definition, by a macro M(PREFIX, TAG, COMPLEX, SCALAR) with its signature, which one of
+// A stage says so behind its definition, by a macro M(PREFIX, TAG, COMPLEX) with its signature, which one of
 // the lists below is given. A stage has to be a function that is neither in a class nor inline, and whose result is not
 // `auto`, as g++ instantiates all others nevertheless. No kernel is included here: only the library needs them all.
 
@@ -90,8 +89,6 @@ template <class Point>
 class Surface_mesh_complex;
 class Triangle_complex;
 class Simplicial_complex;
-template <class Scalar, class Less>
-class Vertex_order;
 
 typedef Point_3<Simple_cartesian<double>> Cartesian_point;
 typedef Point_3<Epick> Epick_point;
@@ -99,9 +96,6 @@ typedef Point_3<Epeck> Epeck_point;
 typedef Surface_mesh_complex<Cartesian_point> Cartesian_complex;
 typedef Surface_mesh_complex<Epick_point> Epick_complex;
 typedef Surface_mesh_complex<Epeck_point> Epeck_complex;
-
-template <class Scalar>
-using Natural_order = Vertex_order<Scalar, std::less<Scalar>>;
 
 } // namespace Reeb_graph::internal
 } // namespace CGAL
@@ -137,29 +131,26 @@ using Natural_order = Vertex_order<Scalar, std::less<Scalar>>;
 #define CGAL_REEB_GRAPH_IF_COMPILED(...)
 #endif
 
-#define CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, PREFIX, TAG, SCALAR)                                                        \
-  CGAL_REEB_GRAPH_IF_COMPILED(M(PREFIX, TAG, Cartesian_complex, SCALAR) M(PREFIX, TAG, Epick_complex, SCALAR)          \
-                                M(PREFIX, TAG, Epeck_complex, SCALAR) M(PREFIX, TAG, Triangle_complex, SCALAR))
-#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M)                                                                     \
-  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                               \
-  CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, double))
-#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)                                                                       \
-  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Long_index)
+#define CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, PREFIX, TAG)                                                                \
+  CGAL_REEB_GRAPH_IF_COMPILED(M(PREFIX, TAG, Cartesian_complex) M(PREFIX, TAG, Epick_complex)                          \
+                                M(PREFIX, TAG, Epeck_complex) M(PREFIX, TAG, Triangle_complex))
+// Surfaces, for functions that know no threads.
+#define CGAL_REEB_GRAPH_FOR_SURFACES_ONCE(M)                                                                           \
+  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag)
+#define CGAL_REEB_GRAPH_FOR_SURFACES(M)                                                                                \
+  CGAL_REEB_GRAPH_FOR_SURFACES_ONCE(M)                                                                                 \
+  CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag))
 #define CGAL_REEB_GRAPH_FOR_SOUPS(M)                                                                                   \
-  CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Simplicial_complex, double))               \
+  CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Simplicial_complex))                       \
   CGAL_REEB_GRAPH_IF_COMPILED(                                                                                         \
-    CGAL_REEB_GRAPH_IF_PARALLEL(M(CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, Simplicial_complex, double)))
-// The point of a Surface_mesh stands instead of a complex.
-#define CGAL_REEB_GRAPH_FOR_POINTS_OF(M, PREFIX, TAG, SCALAR)                                                          \
-  CGAL_REEB_GRAPH_IF_COMPILED(M(PREFIX, TAG, Cartesian_point, SCALAR) M(PREFIX, TAG, Epick_point, SCALAR)              \
-                                M(PREFIX, TAG, Epeck_point, SCALAR))
+    CGAL_REEB_GRAPH_IF_PARALLEL(M(CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, Simplicial_complex)))
+#define CGAL_REEB_GRAPH_FOR_COMPLEXES(M) CGAL_REEB_GRAPH_FOR_SURFACES(M) CGAL_REEB_GRAPH_FOR_SOUPS(M)
+// Functions that write graphs get the point of a Surface_mesh instead of a complex.
+#define CGAL_REEB_GRAPH_FOR_POINTS_OF(M, PREFIX, TAG)                                                                  \
+  CGAL_REEB_GRAPH_IF_COMPILED(M(PREFIX, TAG, Cartesian_point) M(PREFIX, TAG, Epick_point) M(PREFIX, TAG, Epeck_point))
 #define CGAL_REEB_GRAPH_FOR_POINTS(M)                                                                                  \
-  CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)                                 \
-  CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Long_index)                             \
-  CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, double))
-// Surfaces of doubles, for functions that know no threads.
-#define CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(M)                                                                \
-  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, double)
+  CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag)                                         \
+  CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag))
 // Functions of handles, which know surfaces by numbers, and in the same way of skeletons. They have no parameters but
 // M(PREFIX), and only the library sees their definition.
 #define CGAL_REEB_GRAPH_FOR_LOOPS(M) CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_LOOPS))
@@ -176,10 +167,5 @@ using Natural_order = Vertex_order<Scalar, std::less<Scalar>>;
 #else
 #define CGAL_REEB_GRAPH_FOR_SOLVERS(M)
 #endif
-#define CGAL_REEB_GRAPH_FOR_SURFACES(M)                                                                                \
-  CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M) CGAL_REEB_GRAPH_FOR_SURFACES_OF_RANKS(M)
-#define CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(M)                                                                    \
-  CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES(M) CGAL_REEB_GRAPH_FOR_SOUPS(M)
-#define CGAL_REEB_GRAPH_FOR_COMPLEXES(M) CGAL_REEB_GRAPH_FOR_SURFACES(M) CGAL_REEB_GRAPH_FOR_SOUPS(M)
 
 #endif // CGAL_REEB_GRAPH_INTERNAL_BASE_COMPILED_H

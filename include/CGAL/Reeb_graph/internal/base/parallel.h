@@ -36,7 +36,6 @@
 #include <mutex>
 #include <thread>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
@@ -169,14 +168,11 @@ void invoke_both(const First& first, const Second& second)
 template <class ConcurrencyTag, class Iterator, class Less>
 void sort(Iterator first, Iterator last, const Less& less)
 {
-  if constexpr(!Less::is_sure)
-    std::stable_sort(first, last, less); // It stays inside of the range even if the order contradicts itself.
 #ifdef CGAL_LINKED_WITH_TBB
-  else if(is_parallel<ConcurrencyTag>() && number_of_threads<ConcurrencyTag>() > 3)
-    tbb::parallel_sort(first, last, less);
+  if(is_parallel<ConcurrencyTag>() && number_of_threads<ConcurrencyTag>() > 3)
+    return tbb::parallel_sort(first, last, less);
 #endif
-  else
-    boost::sort::pdqsort_branchless(first, last, less);
+  boost::sort::pdqsort_branchless(first, last, less);
 }
 
 // A part of a constant object that is made when it is asked for first, by whichever thread that is.

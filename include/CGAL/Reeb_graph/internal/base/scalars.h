@@ -130,8 +130,7 @@ bool is_ordered(const T& value)
 template <class Less, class... Types>
 inline constexpr bool is_one_of = (std::is_same_v<Less, Types> || ...);
 
-// Whether `Less` is the order of built-in numbers, which cannot contradict itself without NaN. Any other order can, and
-// then nothing may go out of bounds or on without end.
+// Whether `Less` is the order of built-in numbers, up or down, which cannot contradict itself without NaN.
 template <class T, class Less>
 inline constexpr bool is_order_of_numbers =
   std::is_arithmetic_v<T>&& is_one_of<Less, std::less<T>, std::less<>, std::greater<T>, std::greater<>>;

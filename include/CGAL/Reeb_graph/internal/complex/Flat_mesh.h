@@ -44,7 +44,7 @@ template <class FaceListGraph, class Scalar>
 struct Flat_values
 {
   std::shared_ptr<const Flat_mesh<FaceListGraph>> mesh;
-  Indexed_vector<Vertex_index, Scalar> values;
+  Keyed_field<Scalar> field;
 };
 
 // Makes them of what has been checked.
@@ -54,7 +54,7 @@ Flat_values<FaceListGraph, Scalar> keep_flat(
 {
   return {std::make_shared<const Flat_mesh<FaceListGraph>>(
             Flat_mesh<FaceListGraph>{std::move(checked.complex), std::move(checked.numbers)}),
-          std::move(checked.values)};
+          std::move(checked.field)};
 }
 
 // Sets the fans of all vertices, and checks the complex. Vertices that are known to be regular need no turn.
@@ -102,11 +102,11 @@ Flat_values<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph&
                                                             const Traits& traits,
                                                             const NamedParameters& np)
 {
-  auto [unchecked, numbers, values] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  auto [unchecked, numbers, field] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
   const auto regular_vertices =
-    find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), Vertex_order(values, traits.less_scalar_object()));
+    find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), Vertex_order(field.keys()));
   return keep_flat<FaceListGraph, typename Traits::Scalar>(
-    {check_complex(std::move(unchecked), regular_vertices), std::move(numbers), std::move(values)});
+    {check_complex(std::move(unchecked), regular_vertices), std::move(numbers), std::move(field)});
 }
 
 // Shares the flat values; those of a Flat_field are there already.
@@ -117,7 +117,7 @@ std::shared_ptr<const Flat_values<FaceListGraph, typename Traits::Scalar>> share
                                                                                       const NamedParameters& np)
 {
   if constexpr(Is_flat_field<ScalarMap, typename Traits::Scalar>::value)
-    return scalar_map.flat_values(mesh);
+    return flat_values_of(scalar_map, mesh, traits);
   else
     return std::make_shared<const Flat_values<FaceListGraph, typename Traits::Scalar>>(
       flatten<ConcurrencyTag>(mesh, scalar_map, traits, np));

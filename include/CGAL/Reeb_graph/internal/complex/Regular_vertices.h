@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 
 #include <algorithm>
@@ -22,113 +22,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
-
-// The total order of the vertices: by value, then by index (simulation of simplicity). Everything that the stages
-// decide about the field, they decide by this comparison.
-template <class Scalar, class Less>
-class Vertex_order
-{
-public:
-  // Whether the order cannot contradict itself, whatever the values are.
-  static constexpr bool is_sure = is_order_of_numbers<Scalar, Less>;
-
-  // A name of a vertex with its value, to be sorted without access to the array of all values. Names are in the order
-  // of the vertices' indices.
-  template <class Name>
-  struct Key
-  {
-    Scalar value;
-    Name name;
-  };
-
-  Vertex_order(const Indexed_vector<Vertex_index, Scalar>& values, const Less& less) : values_(&values), less_(less) {}
-
-  // Whether vertex u is lower than vertex v. Sweeps ask in the order of the mesh, in which a branch on the first
-  // comparison is foreseen where the field is smooth, and what depends on the answer need not wait for the values.
-  bool operator()(Vertex_index u, Vertex_index v) const { return is_before((*values_)[u], u, (*values_)[v], v); }
-
-  void prefetch(Vertex_index v) const { prefetch_element(*values_, v); }
-
-  template <class Name>
-  Key<Name> key(Vertex_index v, Name name) const
-  {
-    return {(*values_)[v], name};
-  }
-
-  // Sorting asks what cannot be foreseen, so the answer is computed without a branch but on ties, which are few or come
-  // in a row.
-  template <class Name>
-  bool operator()(const Key<Name>& a, const Key<Name>& b) const
-  {
-    if constexpr(is_sure && is_used(Tuned_part::BRANCHLESS_ORDER))
-      return a.value == b.value ? a.name < b.name : less_(a.value, b.value);
-    else
-      return is_before(a.value, a.name, b.value, b.name);
-  }
-
-  // Tells the order without a branch, where the answer cannot be foreseen.
-  bool is_lower(Vertex_index u, Vertex_index v) const
-  {
-    if constexpr(is_sure)
-      return (*this)(key(u, u), key(v, v));
-    else
-      return (*this)(u, v);
-  }
-
-  // Whether the values are the same, so that only the indices order the vertices.
-  bool are_tied(Vertex_index u, Vertex_index v) const
-  {
-    return !less_((*values_)[u], (*values_)[v]) && !less_((*values_)[v], (*values_)[u]);
-  }
-
-  // Whether the value of vertex u is lower than `value`, or `value` lower than that of u.
-  bool is_lower(Vertex_index u, const Scalar& value) const { return less_((*values_)[u], value); }
-  bool is_higher(Vertex_index u, const Scalar& value) const { return less_(value, (*values_)[u]); }
-
-private:
-  template <class Name>
-  bool is_before(const Scalar& value_u, Name u, const Scalar& value_v, Name v) const
-  {
-    return less_(value_u, value_v) || (!less_(value_v, value_u) && u < v);
-  }
-
-  const Indexed_vector<Vertex_index, Scalar>* values_;
-  Less less_;
-};
-
-// A level: the place in the total order just above or just below a vertex, or the place that a value has: just above the
-// last vertex that is not higher, or just below the first that is not lower.
-template <class Scalar, class Order>
-class Level
-{
-public:
-  Level(const Order& order, Side side, Vertex_index vertex) : order_(&order), side_(side), vertex_(vertex) {}
-  Level(const Order& order, Side side, Scalar value)
-    : order_(&order),
-      side_(side),
-      vertex_(no_index),
-      value_(std::move(value))
-  {}
-
-  // Whether the vertex is below the level.
-  bool operator()(Vertex_index u) const
-  {
-    if(value_)
-      return side_ == Side::UPPER ? !order_->is_higher(u, *value_) : order_->is_lower(u, *value_);
-    return u == vertex_ ? side_ == Side::UPPER : (*order_)(u, vertex_);
-  }
-
-private:
-  const Order* order_;
-  Side side_;
-  Vertex_index vertex_;
-  std::optional<Scalar> value_;
-};
 
 // Findings of turns around some vertices in a row, at several places.
 struct Sampled_turns
@@ -140,9 +36,9 @@ struct Sampled_turns
 };
 
 // Adds a turn, and the pages on which its halfedges are. Returns its length. Nothing has been checked yet.
-template <class Complex, class Order>
+template <class Complex>
 std::size_t sample_turn(const Complex& complex,
-                        const Order& order,
+                        const Vertex_order& order,
                         Vertex_index vertex,
                         Sampled_turns& sample,
                         Plain_vector<Index>& pages)
@@ -176,8 +72,8 @@ std::size_t sample_turn(const Complex& complex,
   return length;
 }
 
-template <class Complex, class Order>
-Sampled_turns sample_turns(const Complex& complex, const Order& order)
+template <class Complex>
+Sampled_turns sample_turns(const Complex& complex, const Vertex_order& order)
 {
   constexpr std::size_t number_of_rows = 16, vertices_per_row = 32;
   Sampled_turns sample;
@@ -202,8 +98,8 @@ Sampled_turns sample_turns(const Complex& complex, const Order& order)
 // Whether a sweep finds vertices to be regular faster than turns around them. It does if it finds nearly all, and turns
 // wait: for memory, as each step is known only when the last one has come, or as the processor cannot foresee where they
 // end. The bounds have been measured.
-template <class Complex, class Order>
-bool is_sweep_faster(const Complex& complex, const Order& order)
+template <class Complex>
+bool is_sweep_faster(const Complex& complex, const Vertex_order& order)
 {
   constexpr std::size_t smallest_number_of_edges = 100000; // Fewer ones are in the caches.
   if(complex.number_of_edges() < smallest_number_of_edges
@@ -275,8 +171,8 @@ public:
   // No vertices.
   Regular_vertices() = default;
 
-  template <class Complex, class Order>
-  Regular_vertices(const Complex& complex, const Order& order)
+  template <class Complex>
+  Regular_vertices(const Complex& complex, const Vertex_order& order)
   {
     counts_.resize((std::min)(number_of_threads<ConcurrencyTag>(), most_parts));
     Apexes apexes(complex.number_of_halfedges() + 2 * edges_per_group, 0);
@@ -322,9 +218,9 @@ private:
   };
 
   // Returns whether all is right with the triangles.
-  template <class Complex, class Order>
+  template <class Complex>
   static bool sweep(const Complex& complex,
-                    const Order& order,
+                    const Vertex_order& order,
                     std::size_t begin,
                     std::size_t end,
                     Counts& counts,
@@ -357,8 +253,7 @@ private:
 
   // Without branches on what is compared, as none could be foreseen. The first loop writes no bytes to memory, which
   // might be addresses for all that a compiler knows.
-  template <class Order>
-  static void add_triangles(const Order& order, Fetched_block& fetched, Counts& all_counts, Apexes& all_apexes)
+  static void add_triangles(const Vertex_order& order, Fetched_block& fetched, Counts& all_counts, Apexes& all_apexes)
   {
     const Triangle_block& block = fetched.block;
     for(std::size_t i = 0; i != block.size; ++i)
@@ -397,8 +292,8 @@ private:
   }
 
   // Excludes the vertices that the edges exclude. It looks at four edges at a time: there are few that do.
-  template <class Complex, class Order>
-  void exclude_ends_of_edges(const Complex& complex, const Order& order, const Apexes& apexes)
+  template <class Complex>
+  void exclude_ends_of_edges(const Complex& complex, const Vertex_order& order, const Apexes& apexes)
   {
     const std::size_t number_of_edges = complex.number_of_edges(),
                       number_of_groups = (number_of_edges + edges_per_group - 1) / edges_per_group;
@@ -430,9 +325,9 @@ private:
     return ((are_extreme | ~have_triangles) & lowest_bits) != 0;
   }
 
-  template <class Complex, class Order>
+  template <class Complex>
   static void add_excluded_ends(const Complex& complex,
-                                const Order& order,
+                                const Vertex_order& order,
                                 Halfedge_index even,
                                 const Apexes& apexes,
                                 Plain_vector<Vertex_index>& excluded)
@@ -450,8 +345,8 @@ private:
 };
 
 // The regular vertices if to find them pays.
-template <class ConcurrencyTag, class Complex, class Order>
-Regular_vertices<ConcurrencyTag> find_regular_vertices(const Complex& complex, const Order& order)
+template <class ConcurrencyTag, class Complex>
+Regular_vertices<ConcurrencyTag> find_regular_vertices(const Complex& complex, const Vertex_order& order)
 {
   if(is_used(Tuned_part::TRIANGLE_SWEEP) && is_sweep_faster(complex, order))
     return {complex, order};

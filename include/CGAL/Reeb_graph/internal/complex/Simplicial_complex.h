@@ -226,12 +226,6 @@ public:
   // The number of a vertex among those of the user.
   std::size_t position(Vertex_index vertex) const { return vertex.number(); }
 
-  // Throws the error of an order of the vertices that contradicts itself, which has shown near `vertex`.
-  [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
-  {
-    throw Unordered_scalar_error::contradiction_near(position(vertex));
-  }
-
 private:
   static constexpr unsigned char several = 3;
 
@@ -514,16 +508,16 @@ using Flat_soup = Complex_with_field<Simplicial_complex, Simplicial_complex, Sca
 
 // The values of the vertices, one for each in a random access range.
 template <class ConcurrencyTag, class Scalars, class Traits>
-Indexed_vector<Vertex_index, typename Traits::Scalar> read_scalars(std::size_t number_of_vertices,
-                                                                   const Scalars& scalars,
-                                                                   const Traits& traits)
+Keyed_field<typename Traits::Scalar> read_scalars(std::size_t number_of_vertices,
+                                                  const Scalars& scalars,
+                                                  const Traits& traits)
 {
   const std::size_t number_of_scalars = static_cast<std::size_t>(std::end(scalars) - std::begin(scalars));
   if(number_of_scalars != number_of_vertices)
     throw Scalar_count_error(number_of_scalars, number_of_vertices);
   const auto map =
     boost::make_iterator_property_map(std::begin(scalars), boost::typed_identity_property_map<std::size_t>());
-  return read_values<ConcurrencyTag>(Vertex_list<Simplicial_complex>(number_of_vertices), map, traits);
+  return read_field<ConcurrencyTag>(Vertex_list<Simplicial_complex>(number_of_vertices), map, traits);
 }
 
 // The complex of triangles or of tetrahedra, by their number of vertices, and of the edges of a named parameter, with
@@ -543,11 +537,11 @@ Flat_soup<typename Traits::Scalar> flatten_cells(const PointsOrNumber& points,
 {
   auto edges = parameters::choose_parameter<std::array<std::array<std::size_t, 2>, 0>>(edges_parameter);
   const std::size_t size = count_vertices(points);
-  auto values = read_scalars<ConcurrencyTag>(size, scalars, traits);
+  auto field = read_scalars<ConcurrencyTag>(size, scalars, traits);
   const auto number_of = [=](std::size_t v) { return v < size ? Vertex_index(v) : Vertex_index(no_index); };
   return {read_cells<vertices_per_cell>(size, cells, unwrap_reference(edges)),
           {Vertex_list<Simplicial_complex>(size), {}, number_of},
-          std::move(values)};
+          std::move(field)};
 }
 
 } // namespace CGAL::Reeb_graph::internal

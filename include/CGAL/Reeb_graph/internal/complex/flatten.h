@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/complex/Keyed_field.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
@@ -25,6 +26,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -382,20 +384,27 @@ struct Complex_with_field
 {
   Complex complex;
   Mesh_numbers<FaceListGraph> numbers;
-  Indexed_vector<Vertex_index, Scalar> values;
+  Keyed_field<Scalar> field;
 };
 
 // The complex and its field before the mesh has been checked.
 template <class FaceListGraph, class Scalar>
 using Unchecked_surface = Complex_with_field<Unchecked_complex<Complex_of_t<FaceListGraph>>, FaceListGraph, Scalar>;
 
-// The values of all vertices. Only plain numbers are read in parallel: copies of others may share parts.
-template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>
-Indexed_vector<Vertex_index, typename Traits::Scalar> read_values(const VertexList& vertices,
-                                                                  const ScalarMap& scalar_map,
-                                                                  const Traits& traits)
+// The first one of vertices.
+struct First_vertex
+{
+  Vertex_index vertex = no_index;
+  void operator+=(const First_vertex& other) { vertex = (std::min)(vertex, other.vertex); }
+};
+
+// The values of all vertices, which are checked, as convert(value) makes them. Only plain numbers are read in parallel:
+// copies of others may share parts.
+template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits, class Convert>
+auto read_values(const VertexList& vertices, const ScalarMap& scalar_map, const Traits& traits, const Convert& convert)
 {
   typedef typename Traits::Scalar Scalar;
+  typedef decltype(convert(std::declval<Scalar>())) Value;
   static_assert(!std::is_same_v<Scalar, bool>, "Scalar values of type bool are not supported: use char.");
   constexpr bool is_read_in_parallel = std::is_arithmetic_v<Scalar> && !Is_changed_by_reading<ScalarMap>::value;
   typedef std::conditional_t<is_read_in_parallel, ConcurrencyTag, Sequential_tag> Tag;
@@ -406,28 +415,47 @@ Indexed_vector<Vertex_index, typename Traits::Scalar> read_values(const VertexLi
     else
       return is_ordered_object(value);
   };
-  Indexed_vector<Vertex_index, Scalar> values;
+  Indexed_vector<Vertex_index, Value> values;
   values.resize(vertices.size());
-  const auto read = [&](std::size_t begin, std::size_t end, std::size_t& number_of_unordered) {
+  const auto read = [&](std::size_t begin, std::size_t end, First_vertex& unordered) {
     for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
       if(!vertices.contains(v))
       {
-        values[v] = Scalar();
+        values[v] = Value();
         continue;
       }
-      values[v] = get(scalar_map, vertices[v]);
-      number_of_unordered += is_ordered(values[v]) ? 0 : 1;
+      Scalar value = get(scalar_map, vertices[v]);
+      if(!is_ordered(value))
+        unordered += First_vertex{v};
+      values[v] = convert(std::move(value));
     }
   };
-  if(sum_of_parts<Tag, std::size_t>(vertices.size(), read) == 0)
-    return values;
-  for(const Vertex_index v : values.keys())
-  {
-    if(vertices.contains(v) && !is_ordered(values[v]))
-      throw Unordered_scalar_error(vertices.position(v));
-  }
+  const Vertex_index unordered = sum_of_parts<Tag, First_vertex>(vertices.size(), read).vertex;
+  if(unordered != no_index)
+    throw Unordered_scalar_error(vertices.position(unordered));
   return values;
+}
+
+// Reads the field of all vertices.
+template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>
+Keyed_field<typename Traits::Scalar> read_field(const VertexList& vertices,
+                                                const ScalarMap& scalar_map,
+                                                const Traits& traits)
+{
+  typedef typename Traits::Scalar Scalar;
+  const auto less = traits.less_scalar_object();
+  typedef std::decay_t<decltype(less)> Less;
+  if constexpr(has_exact_keys<Scalar, Less>)
+  {
+    const auto key_of = [](Scalar value) { return exact_key<Less>(value); };
+    return {read_values<ConcurrencyTag>(vertices, scalar_map, traits, key_of), is_falling<Scalar, Less>};
+  }
+  else
+  {
+    auto values = read_values<ConcurrencyTag>(vertices, scalar_map, traits, [](Scalar value) { return value; });
+    return {vertices, std::move(values), less};
+  }
 }
 
 // Whether a halfedge can be one of the mesh. Only a mesh that numbers its halfedges tells those of other meshes.
@@ -517,9 +545,9 @@ Unchecked_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(cons
                                                                             const NamedParameters& np)
 {
   Vertex_list<FaceListGraph> vertex_list(mesh);
-  auto values = read_values<ConcurrencyTag>(vertex_list, scalar_map, traits);
+  auto field = read_field<ConcurrencyTag>(vertex_list, scalar_map, traits);
   auto [complex, numbers] = number_mesh(mesh, std::move(vertex_list), np);
-  return {std::move(complex), std::move(numbers), std::move(values)};
+  return {std::move(complex), std::move(numbers), std::move(field)};
 }
 
 // Whether a scalar map is a public Flat_field with values of the wanted type. It is told by what it has, as it stands
@@ -533,6 +561,16 @@ struct Is_flat_field<ScalarMap, Scalar, std::void_t<typename ScalarMap::Flat_val
   : std::is_same<typename ScalarMap::value_type, Scalar>
 {
 };
+
+// The values of a Flat_field. Throws if they have been read in another order.
+template <class FlatField, class FaceListGraph, class Traits>
+auto flat_values_of(const FlatField& flat_field, const FaceListGraph& mesh, const Traits& traits)
+{
+  auto flat_values = flat_field.flat_values(mesh);
+  if(!flat_values->field.fits_order(traits.less_scalar_object()))
+    throw Graph_mismatch_error("the flat field has been made with another order of its values");
+  return flat_values;
+}
 
 } // namespace CGAL::Reeb_graph::internal
 

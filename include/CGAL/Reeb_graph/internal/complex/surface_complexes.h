@@ -191,12 +191,6 @@ public:
     return position;
   }
 
-  // Throws the error of an order of the vertices that contradicts itself, which has shown near `vertex`.
-  [[noreturn]] void throw_contradiction_near(Vertex_index vertex) const
-  {
-    throw Unordered_scalar_error::contradiction_near(complex().position(vertex));
-  }
-
 protected:
   // The argument has for each vertex a halfedge of a face that ends there, or anything if the derived class knows them.
   explicit Triangle_complex_base(Indexed_vector<Vertex_index, Halfedge_index> halfedges_of_vertices)

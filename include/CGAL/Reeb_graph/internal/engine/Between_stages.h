@@ -177,10 +177,10 @@ public:
   }
 
   // Sorts the vertices when all have been set. Ties are ordered by critical vertex as by vertex.
-  template <class ConcurrencyTag, class Order>
-  void sort(const Order& order)
+  template <class ConcurrencyTag>
+  void sort(const Vertex_order& order)
   {
-    Vector_of<typename Order::template Key<Swept_index>> keys(size());
+    Vector_of<Vertex_order::Key<Swept_index>> keys(size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         keys[i] = order.key(vertex(Swept_index(i)), Swept_index(i));

@@ -46,7 +46,7 @@ public:
 
 // Asks the sweeps for the regular vertices, each at its place in the order of the field: its class in a merge tree is
 // the top of the component that it is in. The two classes tell its arc.
-template <class Complex, class Order>
+template <class Complex>
 class Locate_by_sorting
 {
   struct Query_tag;
@@ -55,7 +55,7 @@ class Locate_by_sorting
 public:
   static constexpr bool are_any = true, are_in_order = true;
 
-  Locate_by_sorting(const Complex& complex, const Order& order, const Swept_vertices& critical_vertices)
+  Locate_by_sorting(const Complex& complex, const Vertex_order& order, const Swept_vertices& critical_vertices)
     : complex_(complex),
       order_(order),
       critical_vertices_(critical_vertices)
@@ -67,7 +67,7 @@ public:
   template <class ConcurrencyTag>
   void sort()
   {
-    typedef typename Order::template Key<Vertex_index> Key;
+    typedef Vertex_order::Key<Vertex_index> Key;
     Vector_of<Key> keys(vertices_.size());
     for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
@@ -135,7 +135,6 @@ public:
     });
   }
 
-  // The arcs that have been found. With an order that contradicts itself, some may be missing.
   Arc_of_vertex take_arc_of_vertex() { return std::move(arc_of_vertex_); }
 
 private:
@@ -176,7 +175,7 @@ private:
   }
 
   const Complex& complex_;
-  const Order& order_;
+  const Vertex_order& order_;
   const Swept_vertices& critical_vertices_;
   Indexed_vector<Query, Vertex_index> vertices_; // in ascending order, when sorted
   Plain_vector<Index> bounds_; // 0, how many are below each critical vertex in ascending order, the number of all
@@ -187,13 +186,13 @@ private:
 // Finds the arcs of the regular vertices when the trees are known, for which no vertex has to be sorted: the class of a
 // vertex in a tree is that of any neighbor from which the sweep comes, or further on towards the root. So classes go from
 // vertex to vertex, in the order of the mesh. Where critical vertices are many, there are many nodes on the way.
-template <class Complex, class Order>
+template <class Complex>
 class Locate_by_climbing
 {
 public:
   static constexpr bool are_any = true, are_in_order = false;
 
-  Locate_by_climbing(const Complex& complex, const Order& order, const Swept_vertices& critical_vertices)
+  Locate_by_climbing(const Complex& complex, const Vertex_order& order, const Swept_vertices& critical_vertices)
     : complex_(complex),
       order_(order),
       critical_vertices_(critical_vertices)
@@ -321,11 +320,7 @@ private:
   {
     Index link;
     for(; (link = links_[side][vertex].get()) < is_class; vertex = Vertex_index(link - 1))
-    {
       passed.push_back(vertex);
-      if(link == 0 || passed.size() > complex_.number_of_vertices())
-        complex_.throw_contradiction_near(vertex);
-    }
     Tree_node node(link - is_class);
     for(; !passed.empty(); passed.pop_back())
     {
@@ -349,7 +344,7 @@ private:
   void set_class(Side side, Vertex_index vertex, Tree_node node) { links_[side][vertex].set(node.number() + is_class); }
 
   const Complex& complex_;
-  const Order& order_;
+  const Vertex_order& order_;
   const Swept_vertices& critical_vertices_;
   By_side<Nodes> nodes_;
   By_side<Links> links_; // to a lower and to a higher neighbor

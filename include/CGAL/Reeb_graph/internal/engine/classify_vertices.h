@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -36,11 +35,10 @@ inline constexpr Vertex_link regular_link = {{2, false}, {no_index, no_index}};
 
 // Counts how often the neighbors of a vertex change between lower and higher ones. That is the number of link sectors
 // if the last neighbor is the first one again; on the border, where the link is a path, there is one more.
-template <class Order>
 class Link_changes
 {
 public:
-  Link_changes(const Order& order, Vertex_index vertex) : order_(order), vertex_(vertex) {}
+  Link_changes(const Vertex_order& order, Vertex_index vertex) : order_(order), vertex_(vertex) {}
 
   void begin(Vertex_index neighbor)
   {
@@ -66,7 +64,7 @@ private:
     higher_ = is_last_upper_ ? neighbor : higher_;
   }
 
-  const Order& order_;
+  const Vertex_order& order_;
   const Vertex_index vertex_;
   Index number_ = 0;
   Vertex_index lower_ = no_index;
@@ -75,13 +73,13 @@ private:
   bool is_last_upper_ = false;
 };
 
-template <class Complex, class Order>
-Vertex_link find_link(const Complex& complex, const Order& order, Vertex_index vertex)
+template <class Complex>
+Vertex_link find_link(const Complex& complex, const Vertex_order& order, Vertex_index vertex)
 {
   const Halfedge_index first = complex.first_halfedge(vertex);
   if(first == no_index)
     return {{0, false}, {no_index, no_index}};
-  Link_changes<Order> changes(order, vertex);
+  Link_changes changes(order, vertex);
   changes.begin(complex.source(first));
   complex.for_each_halfedge_around(
     vertex, [&](Halfedge_index halfedge) { changes.add(complex.target(complex.next(halfedge))); });
@@ -89,20 +87,23 @@ Vertex_link find_link(const Complex& complex, const Order& order, Vertex_index v
 }
 
 // Sets the fan of a vertex and finds its link: both in one turn if the vertex is inside of the surface.
-template <class Complex, class Order>
+template <class Complex>
 Vertex_link set_fan_and_find_link(Unchecked_complex<Complex>& complex,
-                                  const Order& order,
+                                  const Vertex_order& order,
                                   Vertex_index vertex,
                                   Fan_counts& counts)
 {
-  Link_changes<Order> changes(order, vertex);
+  Link_changes changes(order, vertex);
   return complex.set_fan(vertex, counts, changes) ? changes.closed_link()
                                                   : find_link(complex.at_set_fans(), order, vertex);
 }
 
 // Makes `neighbor` the extreme one of its sector if it is. Without a branch that could not be predicted.
-template <class Order>
-void add_to_sector(Link_sector& sector, const Order& order, Side side, Vertex_index neighbor, Halfedge_index halfedge)
+inline void add_to_sector(Link_sector& sector,
+                          const Vertex_order& order,
+                          Side side,
+                          Vertex_index neighbor,
+                          Halfedge_index halfedge)
 {
   const bool is_more_extreme = order(sector.extreme_neighbor, neighbor) == (side == Side::UPPER);
   sector.extreme_neighbor = is_more_extreme ? neighbor : sector.extreme_neighbor;
@@ -110,9 +111,9 @@ void add_to_sector(Link_sector& sector, const Order& order, Side side, Vertex_in
 }
 
 // Writes the link sectors of `vertex`, the lower ones and the upper ones each in clockwise order, to the two places.
-template <class Complex, class Order>
+template <class Complex>
 void find_link_sectors(const Complex& complex,
-                       const Order& order,
+                       const Vertex_order& order,
                        Vertex_index vertex,
                        const Link_summary& summary,
                        const By_side<Link_sector*>& places)
@@ -240,8 +241,8 @@ Found_parts find_vertices_in_parts(const Complex& complex, const FindLink& find_
 }
 
 // The vertices of all parts, each in its place.
-template <class ConcurrencyTag, class Complex, class Order>
-Swept_vertices join_parts(const Complex& complex, const Order& order, const Found_parts& found)
+template <class ConcurrencyTag, class Complex>
+Swept_vertices join_parts(const Complex& complex, const Vertex_order& order, const Found_parts& found)
 {
   const std::vector<Found_vertices>& parts = found.parts;
   std::size_t number_of_vertices = 0;
@@ -276,8 +277,8 @@ Swept_vertices join_parts(const Complex& complex, const Order& order, const Foun
 }
 
 // Finds the critical vertices.
-template <class ConcurrencyTag, class Complex, class Order>
-Swept_vertices classify_vertices(const Complex& complex, const Order& order)
+template <class ConcurrencyTag, class Complex>
+Swept_vertices classify_vertices(const Complex& complex, const Vertex_order& order)
 {
   const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(complex, order);
   const auto find = [&](Vertex_index vertex, Fan_counts&) {
@@ -295,8 +296,8 @@ struct Classified_complex
 
 // Finds the critical vertices of a complex that has not been checked, which is done on the way: both have to turn
 // around each vertex that is not one of the regular ones known before.
-template <class ConcurrencyTag, class Complex, class Order>
-Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Complex> unchecked, const Order& order)
+template <class ConcurrencyTag, class Complex>
+Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Complex> unchecked, const Vertex_order& order)
 {
   const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
   const auto find = [&](Vertex_index vertex, Fan_counts& counts) {
@@ -323,16 +324,17 @@ struct Checked_complex
   const Complex& complex;
 };
 
-template <class ConcurrencyTag, class Complex, class Order>
-Classified_complex<const Complex&> check_and_classify_vertices(Checked_complex<Complex> checked, const Order& order)
+template <class ConcurrencyTag, class Complex>
+Classified_complex<const Complex&> check_and_classify_vertices(Checked_complex<Complex> checked,
+                                                               const Vertex_order& order)
 {
   return {checked.complex, classify_vertices<ConcurrencyTag>(checked.complex, order)};
 }
 
-#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES(PREFIX, TAG, COMPLEX, SCALAR)                                                \
+#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES(PREFIX, TAG, COMPLEX)                                                        \
   PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(Unchecked_complex<COMPLEX>,             \
-                                                                               const Natural_order<SCALAR>&);          \
-  PREFIX template Swept_vertices classify_vertices<TAG>(const COMPLEX&, const Natural_order<SCALAR>&);
+                                                                               const Vertex_order&);                   \
+  PREFIX template Swept_vertices classify_vertices<TAG>(const COMPLEX&, const Vertex_order&);
 CGAL_REEB_GRAPH_FOR_SURFACES(CGAL_REEB_GRAPH_CLASSIFY_VERTICES)
 
 } // namespace CGAL::Reeb_graph::internal

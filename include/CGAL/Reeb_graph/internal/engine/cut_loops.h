@@ -46,13 +46,13 @@ void glue_cuts(const Contour_cuts& cuts, Swept_arcs& arcs, const Rename& rename)
 
 // The sweep for the split tree of a surface that is cut on the way. A cut ends the paths of vertices further down, so
 // their ends, if found before, have to be corrected.
-template <class Complex, class Order>
-class Cutting_sweep : public Merge_tree_sweep<Complex, Order, Side::UPPER>
+template <class Complex>
+class Cutting_sweep : public Merge_tree_sweep<Complex, Side::UPPER>
 {
-  typedef Merge_tree_sweep<Complex, Order, Side::UPPER> Base;
+  typedef Merge_tree_sweep<Complex, Side::UPPER> Base;
 
 public:
-  Cutting_sweep(const Slab<Complex>& slab, const Order& order)
+  Cutting_sweep(const Slab<Complex>& slab, const Vertex_order& order)
     : Base(slab, order),
       complex_(slab.complex()),
       cuts_(slab.number_of_nodes(), slab.complex().number_of_edges())
@@ -256,11 +256,14 @@ class Contour_search;
 // In a complex that may be no surface, it is found for all vertices at once which of the lower sectors in one sublevel
 // component are in one contour, but where counting excludes loops. Each contour that is cut closes a loop of the graph,
 // so there are at most as many cuts as the first Betti number of the complex.
-template <class Complex, class Order>
+template <class Complex>
 class Loop_surgery
 {
 public:
-  Loop_surgery(const Slab<Complex>& slab, const Order& order, const Merge_tree& join_tree, const Merge_tree& split_tree)
+  Loop_surgery(const Slab<Complex>& slab,
+               const Vertex_order& order,
+               const Merge_tree& join_tree,
+               const Merge_tree& split_tree)
     : complex_(slab.complex()),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
@@ -496,7 +499,7 @@ private:
   };
 
   const Complex& complex_;
-  const Order& order_;
+  const Vertex_order& order_;
   const Swept_vertices& critical_vertices_;
   const Merge_tree& join_tree_;
   const Merge_tree& split_tree_;

@@ -43,10 +43,7 @@ public:
         prefetch(&nodes_[parents[later]]);
       nodes_[node].parent = parents[node];
       if(parents[node] == no_index)
-      {
-        ++number_of_roots_;
         continue;
-      }
       ++nodes_[parents[node]].number_of_children;
       nodes_[parents[node]].child_names ^= node.number();
     }
@@ -70,9 +67,6 @@ public:
     ++nodes_[parent].number_of_children;
     nodes_[parent].child_names ^= node.number();
   }
-
-  // How many roots the tree has before any node is removed.
-  Index number_of_roots() const { return number_of_roots_; }
 
   Tree_node parent(Tree_node node) const { return nodes_[node].parent; }
   Index number_of_children(Tree_node node) const { return nodes_[node].number_of_children; }
@@ -104,7 +98,6 @@ private:
   };
 
   Indexed_vector<Tree_node, Node> nodes_;
-  Index number_of_roots_ = 0;
 };
 
 // Combines a join tree and a split tree of the same nodes to the arcs of the contour tree, leaf by leaf. (H. Carr,
@@ -205,14 +198,14 @@ private:
 // the split tree comes down to a contour just below a vertex after all that is above: it can cut there and go on.
 // (J. Tierny, A. Gyulassy, E. Simon, V. Pascucci, Loop surgery for volumetric meshes: Reeb graphs reduced to contour
 // trees, 2009, for volumes.)
-template <class Complex, class Order>
+template <class Complex>
 class Contour_trees_engine
 {
-  typedef Merge_tree_sweep<Complex, Order, Side::LOWER> Upward_sweep;
-  typedef Cutting_sweep<Complex, Order> Downward_sweep;
+  typedef Merge_tree_sweep<Complex, Side::LOWER> Upward_sweep;
+  typedef Cutting_sweep<Complex> Downward_sweep;
 
 public:
-  Contour_trees_engine(const Slab<Complex>& slab, const Order& order)
+  Contour_trees_engine(const Slab<Complex>& slab, const Vertex_order& order)
     : slab_(slab),
       order_(order),
       critical_vertices_(slab.critical_vertices())
@@ -246,11 +239,8 @@ public:
     invoke_both<ConcurrencyTag>(
       [&] { split_tree = Shrinking_tree(downwards->tree().parents); },
       [&] { first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().classes, cuts.number_of_nodes()); });
-    const std::size_t number_of_arcs = cuts.number_of_nodes() - join_tree.number_of_roots();
     Tree_combination<Queries::are_any> combination(std::move(join_tree), std::move(split_tree), std::move(first_steps));
     Swept_arcs arcs = combination();
-    if(arcs.size() != number_of_arcs) // The trees are not those of one order.
-      slab_.throw_contradiction_near(arcs.empty() ? Swept_arc{no_index, no_index, {}} : arcs.back());
     if constexpr(Queries::are_any)
     {
       Arcs_of_classes arcs_of_classes = combination.find_arcs_of_classes(arcs);
@@ -361,7 +351,7 @@ private:
   template <class Queries>
   void sweep_downwards_and_cut(Downward_sweep& sweep, const Merge_tree& join_tree, Queries& queries) const
   {
-    Loop_surgery<Complex, Order> surgery(slab_, order_, join_tree, sweep.tree());
+    Loop_surgery<Complex> surgery(slab_, order_, join_tree, sweep.tree());
     sweep_from<Side::UPPER>(sweep, queries, [&](Swept_index critical) {
       if(surgery.can_close_loop(critical))
       {
@@ -413,7 +403,7 @@ private:
   }
 
   const Slab<Complex>& slab_;
-  const Order& order_;
+  const Vertex_order& order_;
   const Swept_vertices& critical_vertices_;
 };
 
@@ -421,11 +411,11 @@ private:
 // are registered at the edges that they cross; then a path climbs from each upper sector of each critical vertex to
 // the first edge where a contour is registered, which names the upper end of the arc. Each such contour ends one
 // arc. Cost: the lengths of the registered contours, and of the paths; those of different arcs do not overlap.
-template <class Complex, class Order>
+template <class Complex>
 class Critical_sets_engine
 {
 public:
-  Critical_sets_engine(const Slab<Complex>& slab, const Order& order)
+  Critical_sets_engine(const Slab<Complex>& slab, const Vertex_order& order)
     : slab_(slab),
       complex_(slab.complex()),
       order_(order),
@@ -491,22 +481,18 @@ private:
 
   Swept_arc_index contour_above(Ascending_step step) const
   {
-    for(Index steps = 0; contour_at(step.edge) == no_index; ++steps)
+    for(; contour_at(step.edge) == no_index; step = steepest_step(complex_, order_, step.target))
     {
       const Contour_index contour = slab_.contour_at_step(Side::UPPER, step.target, [&] { return step.edge; });
       if(contour != no_index)
         return Swept_arc_index(contour.number()); // as the first arcs end at the contours of the upper level
-      const Vertex_index vertex = step.target;
-      step = steepest_step(complex_, order_, vertex);
-      if(step.edge == no_index || steps == complex_.number_of_vertices())
-        complex_.throw_contradiction_near(vertex);
     }
     return contour_at(step.edge);
   }
 
   const Slab<Complex>& slab_;
   const Complex& complex_;
-  const Order& order_;
+  const Vertex_order& order_;
   const Swept_vertices& critical_vertices_;
   Indexed_vector<Edge_index, Swept_arc_index> contour_at_edge_; // a contour has the name of the arc that ends there
   Swept_arcs arcs_;
@@ -516,46 +502,27 @@ private:
 typedef std::integral_constant<Method, Method::CONTOUR_TREES> Default_method;
 typedef std::integral_constant<std::size_t, 1> Default_number_of_slabs;
 
-// Throws if an arc lacks a node of the slab at an end, or has no step to begin with at a vertex: the order of the
-// vertices has contradicted itself.
-template <class Complex>
-void check_arcs(const Slab<Complex>& slab, const Swept_arcs& arcs)
-{
-  const Tree_node end_of_nodes(slab.number_of_nodes());
-  for(const Swept_arc& arc : arcs)
-  {
-    const bool has_first_step = arc.first_step.edge != no_index || slab.is_contour(arc.lower);
-    if(arc.lower >= end_of_nodes || arc.upper >= end_of_nodes || !has_first_step)
-      slab.throw_contradiction_near(arc);
-  }
-}
-
 // Finds the arcs between the nodes of a slab by the engine for the method. All return the same arcs, in any order.
 // First steps are those of arcs that begin at a critical vertex.
-template <class ConcurrencyTag, class Complex, class Order, class Report>
-Swept_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Default_method, const Report& report)
+template <class ConcurrencyTag, class Complex, class Report>
+Swept_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Vertex_order& order, Default_method, const Report& report)
 {
   Locate_nothing no_queries;
-  Swept_arcs arcs =
-    Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(report, no_queries);
-  check_arcs(slab, arcs);
-  return arcs;
+  return Contour_trees_engine<Complex>(slab, order).template find_arcs<ConcurrencyTag>(report, no_queries);
 }
 
-template <class ConcurrencyTag, class Complex, class Order, class Report>
-Swept_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Order& order, Method method, const Report& report)
+template <class ConcurrencyTag, class Complex, class Report>
+Swept_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Vertex_order& order, Method method, const Report& report)
 {
   if(method != Method::CRITICAL_SETS)
     return find_arcs_of_slab<ConcurrencyTag>(slab, order, Default_method(), report);
-  Swept_arcs arcs = Critical_sets_engine<Complex, Order>(slab, order).find_arcs(report);
-  check_arcs(slab, arcs);
-  return arcs;
+  return Critical_sets_engine<Complex>(slab, order).find_arcs(report);
 }
 
 // Cuts the surface into several slabs, finds the arcs slab by slab, and glues them.
-template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class Report>
+template <class ConcurrencyTag, class Complex, class ChosenMethod, class Report>
 Swept_arcs find_and_glue_arcs(const Complex& complex,
-                              const Order& order,
+                              const Vertex_order& order,
                               const Swept_vertices& critical_vertices,
                               ChosenMethod method,
                               Index number_of_slabs,
@@ -573,9 +540,9 @@ Swept_arcs find_and_glue_arcs(const Complex& complex,
 
 // The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
 // which needs neither, the engine itself runs in parallel where it can.
-template <class ConcurrencyTag, class Complex, class Order, class ChosenMethod, class ChosenNumberOfSlabs, class Report>
+template <class ConcurrencyTag, class Complex, class ChosenMethod, class ChosenNumberOfSlabs, class Report>
 Swept_arcs find_arcs(const Complex& complex,
-                     const Order& order,
+                     const Vertex_order& order,
                      const Swept_vertices& critical_vertices,
                      ChosenMethod method,
                      ChosenNumberOfSlabs chosen_number_of_slabs,
@@ -591,46 +558,40 @@ Swept_arcs find_arcs(const Complex& complex,
 }
 
 // Finds the arcs by the default method, and the one that each regular vertex is on.
-template <class ConcurrencyTag, class Complex, class Order>
+template <class ConcurrencyTag, class Complex>
 Swept_arcs find_arcs_and_locate_vertices(const Complex& complex,
-                                         const Order& order,
+                                         const Vertex_order& order,
                                          const Swept_vertices& critical_vertices,
                                          Arc_of_vertex& arc_of_vertex,
                                          const Stage_progress& progress)
 {
   const Slab slab(complex, critical_vertices);
   const auto find = [&](auto& queries) {
-    Swept_arcs arcs =
-      Contour_trees_engine<Complex, Order>(slab, order).template find_arcs<ConcurrencyTag>(progress, queries);
-    check_arcs(slab, arcs);
+    Swept_arcs arcs = Contour_trees_engine<Complex>(slab, order).template find_arcs<ConcurrencyTag>(progress, queries);
     arc_of_vertex = queries.take_arc_of_vertex();
     return arcs;
   };
-  if(Locate_by_climbing<Complex, Order>::are_fast(complex, critical_vertices))
+  if(Locate_by_climbing<Complex>::are_fast(complex, critical_vertices))
   {
-    Locate_by_climbing<Complex, Order> queries(complex, order, critical_vertices);
+    Locate_by_climbing<Complex> queries(complex, order, critical_vertices);
     return find(queries);
   }
-  Locate_by_sorting<Complex, Order> queries(complex, order, critical_vertices);
+  Locate_by_sorting<Complex> queries(complex, order, critical_vertices);
   queries.template sort<ConcurrencyTag>();
   return find(queries);
 }
 
-#define CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, METHOD, NUMBER_OF_SLABS)                            \
-  PREFIX template Swept_arcs find_arcs<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&,       \
-                                            METHOD, NUMBER_OF_SLABS, const Stage_progress&);
-#define CGAL_REEB_GRAPH_FIND_ARCS(PREFIX, TAG, COMPLEX, SCALAR)                                                        \
-  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Default_method, Default_number_of_slabs)
-#define CGAL_REEB_GRAPH_FIND_ARCS_BY_CHOICE(PREFIX, TAG, COMPLEX, SCALAR)                                              \
-  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Method, Default_number_of_slabs)                          \
-  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Default_method, std::size_t)                              \
-  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, SCALAR, Method, std::size_t)
-#define CGAL_REEB_GRAPH_FIND_ARCS_OF_VERTICES(PREFIX, TAG, COMPLEX, SCALAR)                                            \
+#define CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, METHOD, NUMBER_OF_SLABS)                                    \
+  PREFIX template Swept_arcs find_arcs<TAG>(const COMPLEX&, const Vertex_order&, const Swept_vertices&, METHOD,        \
+                                            NUMBER_OF_SLABS, const Stage_progress&);
+#define CGAL_REEB_GRAPH_FIND_ARCS(PREFIX, TAG, COMPLEX)                                                                \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, Default_method, Default_number_of_slabs)                          \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, Method, Default_number_of_slabs)                                  \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, Default_method, std::size_t)                                      \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, Method, std::size_t)                                              \
   PREFIX template Swept_arcs find_arcs_and_locate_vertices<TAG>(                                                       \
-    const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&, Arc_of_vertex&, const Stage_progress&);
+    const COMPLEX&, const Vertex_order&, const Swept_vertices&, Arc_of_vertex&, const Stage_progress&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARCS)
-CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_OF_VERTICES)
-CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_ARCS_BY_CHOICE)
 
 } // namespace CGAL::Reeb_graph::internal
 

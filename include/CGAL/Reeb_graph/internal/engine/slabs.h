@@ -105,14 +105,6 @@ public:
   const Complex& complex() const { return *complex_; }
   const Swept_vertices& critical_vertices() const { return *critical_vertices_; }
 
-  // Throws the error of an order of the vertices that contradicts itself, which has shown at an end of the arc, as far
-  // as it has any.
-  [[noreturn]] void throw_contradiction_near(const Swept_arc& arc) const
-  {
-    const Tree_node node = !is_contour(arc.lower) ? arc.lower : (!is_contour(arc.upper) ? arc.upper : Tree_node(0));
-    complex_->throw_contradiction_near(critical_vertices_->vertex(critical_vertex_of(node)));
-  }
-
   // The contours of the lower or of the upper level.
   Index number_of_contours(Side side) const { return levels_[side] ? levels_[side]->number_of_contours() : 0; }
   Index_range<Contour_index> contours(Side side) const { return Index_range<Contour_index>(number_of_contours(side)); }
@@ -181,10 +173,10 @@ template <class Complex>
 class Slicing
 {
 public:
-  template <class ConcurrencyTag, class Order>
+  template <class ConcurrencyTag>
   Slicing(ConcurrencyTag,
           const Complex& complex,
-          const Order& order,
+          const Vertex_order& order,
           const Swept_vertices& critical_vertices,
           Index number_of_slabs)
     : complex_(complex),
@@ -209,8 +201,6 @@ public:
     distribute_critical_vertices();
     for_each_index<ConcurrencyTag>(parts_.size(), [&](std::size_t slab) { fill_part(Slab_index(slab)); });
   }
-
-  const Complex& complex() const { return complex_; }
 
   Index number_of_slabs() const { return static_cast<Index>(parts_.size()); }
 
@@ -237,8 +227,8 @@ private:
   // The place of a slab's first critical vertex in ascending order.
   std::size_t first_of_slab(std::size_t slab) const { return slab * critical_vertices_.size() / parts_.size(); }
 
-  template <class ConcurrencyTag, class Order>
-  void find_slabs_of_vertices(const Order& order, Index number_of_slabs)
+  template <class ConcurrencyTag>
+  void find_slabs_of_vertices(const Vertex_order& order, Index number_of_slabs)
   {
     parts_.resize(number_of_slabs);
     Plain_vector<Vertex_index> level_vertices;
@@ -313,13 +303,8 @@ private:
     const auto ascending = critical_vertices_.ascending().begin();
     Plain_vector<Swept_index> ascending_in_slab;
     ascending_in_slab.reserve(parts_[slab].names.size());
-    const auto add = [&](Swept_index critical) {
-      const Vertex_index vertex = critical_vertices_.vertex(critical);
-      if(slabs_of_vertices_[vertex] != slab)
-        complex_.throw_contradiction_near(vertex);
-      ascending_in_slab.push_back(names_in_slabs_[critical]);
-    };
-    std::for_each(ascending + first_of_slab(slab.number()), ascending + first_of_slab(slab.number() + 1), add);
+    std::for_each(ascending + first_of_slab(slab.number()), ascending + first_of_slab(slab.number() + 1),
+                  [&](Swept_index critical) { ascending_in_slab.push_back(names_in_slabs_[critical]); });
     parts_[slab].critical_vertices = critical_vertices_.part(parts_[slab].names, std::move(ascending_in_slab));
   }
 
@@ -367,12 +352,7 @@ Swept_arcs glue_slabs(const Slicing<Complex>& slicing,
   for(Swept_arc& arc : arcs)
   {
     while(is_contour(arc.upper))
-    {
-      const Tree_node above = upper_ends[arc.upper];
-      if(above == no_index || (is_contour(above) && above <= arc.upper))
-        slicing.complex().throw_contradiction_near(arc.first_step.target);
-      arc.upper = above;
-    }
+      arc.upper = upper_ends[arc.upper];
   }
   return arcs;
 }
@@ -380,13 +360,13 @@ Swept_arcs glue_slabs(const Slicing<Complex>& slicing,
 // The sweep over the critical vertices that builds a merge tree from the ends of monotone paths: the join tree from
 // those that descend to the lower side, the split tree from those that ascend to the upper side. (Y. Chiang, T. Lenz,
 // X. Lu, G. Rote, Simple and optimal output-sensitive construction of contour trees using monotone paths, 2005.)
-template <class Complex, class Order, Side side>
+template <class Complex, Side side>
 class Merge_tree_sweep
 {
-  typedef Monotone_path_ends<Complex, Order, side> Path_ends;
+  typedef Monotone_path_ends<Complex, side> Path_ends;
 
 public:
-  Merge_tree_sweep(const Slab<Complex>& slab, const Order& order)
+  Merge_tree_sweep(const Slab<Complex>& slab, const Vertex_order& order)
     : slab_(slab),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
@@ -562,7 +542,7 @@ protected:
   }
 
   const Slab<Complex>& slab_;
-  const Order& order_;
+  const Vertex_order& order_;
   const Swept_vertices& critical_vertices_;
   Path_ends path_ends_;
   Indexed_vector<Sector_index, Component_index> sector_components_; // in which a monotone path from there ends

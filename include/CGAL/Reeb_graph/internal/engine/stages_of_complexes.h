@@ -31,11 +31,10 @@ namespace CGAL::Reeb_graph::internal {
 // vertex, and the triangles there join them. So a sector is a set of edges that lead from the vertex upwards, or
 // downwards, and a triangle joins two edges at its lowest vertex and two at its highest one: each edge is in one set at
 // either end.
-template <class Order>
 class Link_forests
 {
 public:
-  Link_forests(const Simplicial_complex& complex, const Order& order)
+  Link_forests(const Simplicial_complex& complex, const Vertex_order& order)
     : complex_(complex),
       order_(order),
       sets_(
@@ -77,17 +76,10 @@ public:
       const Index sector = sector_at_root_[root];
       if(sector < roots_[side].size() && roots_[side][sector] == root)
         return add_to_sector(places[side][sector], order_, side, neighbor, halfedge);
-      if(roots_[side].size() == numbers_of_sectors_[vertex][side])
-        complex_.throw_contradiction_near(vertex);
       sector_at_root_[root] = static_cast<Index>(roots_[side].size());
       places[side][roots_[side].size()] = {neighbor, halfedge};
       roots_[side].push_back(root);
     });
-    for(const Side side : both_sides)
-    {
-      if(roots_[side].size() != numbers_of_sectors_[vertex][side])
-        complex_.throw_contradiction_near(vertex);
-    }
   }
 
 private:
@@ -99,8 +91,6 @@ private:
     // The place of the vertex that is below, or above, both other ones.
     const std::size_t lowest = is_01 ? (is_02 ? 0 : 2) : (is_12 ? 1 : 2);
     const std::size_t highest = is_01 ? (is_12 ? 2 : 1) : (is_02 ? 2 : 0);
-    if(lowest == highest)
-      complex_.throw_contradiction_near(v[lowest]);
     join(Side::UPPER, v[lowest], edges[lowest == 2], edges[lowest == 0 ? 1 : 2]);
     join(Side::LOWER, v[highest], edges[highest == 2], edges[highest == 0 ? 1 : 2]);
   }
@@ -115,7 +105,7 @@ private:
   }
 
   const Simplicial_complex& complex_;
-  const Order& order_;
+  const Vertex_order& order_;
   By_side<Disjoint_sets<Edge_index>> sets_; // by their upper, and by their lower end
   Indexed_vector<Vertex_index, By_side<Index>> numbers_of_sectors_;
   Indexed_vector<Edge_index, Index> sector_at_root_; // of the vertex of the last call
@@ -124,12 +114,12 @@ private:
 
 // Finds the wanted vertices of any complex; `is_wanted` gets the vertex, and its numbers of lower and upper sectors.
 // Links need not alternate, so both sides are counted. Two sweeps on one thread; only sorting uses more.
-template <class ConcurrencyTag, class Order, class IsWanted>
+template <class ConcurrencyTag, class IsWanted>
 Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
-                                        const Order& order,
+                                        const Vertex_order& order,
                                         const IsWanted& is_wanted)
 {
-  Link_forests<Order> forests(complex, order);
+  Link_forests forests(complex, order);
   Plain_vector<Vertex_index> wanted;
   Sector_counts numbers_of_sectors = {0, 0};
   auto kept_neighbors = std::make_shared<Kept_neighbors>(complex.number_of_vertices());
@@ -175,8 +165,8 @@ inline bool has_critical_numbers_of_sectors(const By_side<Index>& numbers_of_sec
   return numbers_of_sectors[Side::LOWER] != 1 || numbers_of_sectors[Side::UPPER] != 1;
 }
 
-template <class ConcurrencyTag, class Order>
-Swept_vertices classify_vertices(const Simplicial_complex& complex, const Order& order)
+template <class ConcurrencyTag>
+Swept_vertices classify_vertices(const Simplicial_complex& complex, const Vertex_order& order)
 {
   return find_vertices_of_complex<ConcurrencyTag>(complex, order, [](Vertex_index, const By_side<Index>& numbers) {
     return has_critical_numbers_of_sectors(numbers);
@@ -184,15 +174,16 @@ Swept_vertices classify_vertices(const Simplicial_complex& complex, const Order&
 }
 
 // There is nothing left to check of a complex.
-template <class ConcurrencyTag, class Order>
-Classified_complex<Simplicial_complex> check_and_classify_vertices(Simplicial_complex complex, const Order& order)
+template <class ConcurrencyTag>
+Classified_complex<Simplicial_complex> check_and_classify_vertices(Simplicial_complex complex,
+                                                                   const Vertex_order& order)
 {
   Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(complex, order);
   return {std::move(complex), std::move(critical_vertices)};
 }
 
-#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP(PREFIX, TAG, COMPLEX, SCALAR)                                        \
-  PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(COMPLEX, const Natural_order<SCALAR>&);
+#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP(PREFIX, TAG, COMPLEX)                                                \
+  PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(COMPLEX, const Vertex_order&);
 CGAL_REEB_GRAPH_FOR_SOUPS(CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP)
 
 // The other edge that the level crosses of a triangle at a crossed edge.
@@ -402,7 +393,7 @@ private:
       return;
     }
     const std::size_t other = leader(searches_[edge] - first_search_);
-    if(other != i && is_open(other))
+    if(other != i)
       join(i, other);
   }
 
@@ -575,9 +566,9 @@ inline Plain_vector<Timed_link> find_links(const Simplicial_complex& complex,
 // Sets by lower sector of the vertices: the name of its contour, among those of its vertex. Components of the complex in
 // which none of the vertices in question is can be left out: is_left_out(vertex). Returns how many links have been
 // looked at.
-template <class Order, class IsLeftOut>
+template <class IsLeftOut>
 std::size_t find_contours_of_sectors(const Simplicial_complex& complex,
-                                     const Order& order,
+                                     const Vertex_order& order,
                                      const Swept_vertices& critical_vertices,
                                      const Plain_vector<Swept_index>& vertices,
                                      const IsLeftOut& is_left_out,

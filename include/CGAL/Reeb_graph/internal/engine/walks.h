@@ -15,7 +15,6 @@
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <unordered_set>
@@ -25,8 +24,8 @@
 namespace CGAL::Reeb_graph::internal {
 
 // The step from `vertex`, which is no maximum, to its highest neighbor. Without a branch, as none could be predicted.
-template <class Complex, class Order>
-Ascending_step steepest_step(const Complex& complex, const Order& order, Vertex_index vertex)
+template <class Complex>
+Ascending_step steepest_step(const Complex& complex, const Vertex_order& order, Vertex_index vertex)
 {
   Ascending_step step = {no_index, vertex};
   complex.for_each_edge_around(vertex, [&](Vertex_index neighbor, Halfedge_index halfedge) {
@@ -37,11 +36,10 @@ Ascending_step steepest_step(const Complex& complex, const Order& order, Vertex_
   return step;
 }
 
-// Takes steepest steps from `vertex` on as long as goes_on(vertex reached), and calls visit(vertex, step from it)
-// before each. Returns the vertex reached.
-template <class Complex, class Order, class GoesOn, class Visit>
+// Takes steepest steps from `vertex` on as long as goes_on(vertex reached), and calls visit(step) before each. Returns the vertex reached.
+template <class Complex, class GoesOn, class Visit>
 Vertex_index climb(const Complex& complex,
-                   const Order& order,
+                   const Vertex_order& order,
                    Vertex_index vertex,
                    const GoesOn& goes_on,
                    const Visit& visit)
@@ -49,9 +47,7 @@ Vertex_index climb(const Complex& complex,
   while(goes_on(vertex))
   {
     const Ascending_step step = steepest_step(complex, order, vertex);
-    if(step.edge == no_index)
-      complex.throw_contradiction_near(vertex);
-    visit(vertex, step);
+    visit(step);
     vertex = step.target;
   }
   return vertex;
@@ -60,11 +56,11 @@ Vertex_index climb(const Complex& complex,
 // Finds the component in whose extremum a monotone path ends: a minimum if it descends, to the lower side, for the join
 // tree, a maximum if it ascends for the split tree.
 // A vertex is passed once: its end is kept. Several threads that pass it keep the same end.
-template <class Complex, class Order, Side direction>
+template <class Complex, Side direction>
 class Monotone_path_ends
 {
 public:
-  Monotone_path_ends(const Complex& complex, const Order& order, const Kept_neighbors& kept_neighbors)
+  Monotone_path_ends(const Complex& complex, const Vertex_order& order, const Kept_neighbors& kept_neighbors)
     : complex_(&complex),
       order_(&order),
       kept_neighbors_(&kept_neighbors),
@@ -102,10 +98,7 @@ public:
     if(is_known(vertex))
       return end(vertex);
     passed.assign(1, vertex);
-    const Ascending_step step = next_step(vertex);
-    if(step.target == no_index)
-      complex_->throw_contradiction_near(vertex);
-    return walk(step, end_of_step, passed);
+    return walk(next_step(vertex), end_of_step, passed);
   }
 
 private:
@@ -119,8 +112,6 @@ private:
     {
       passed.push_back(step.target);
       step = next_step(step.target);
-      if(step.target == no_index || passed.size() > complex_->number_of_vertices())
-        complex_->throw_contradiction_near(passed.back());
       end = end_of_step(step.target, find_edge);
     }
     for(const Vertex_index passed_vertex : passed)
@@ -151,7 +142,7 @@ private:
   }
 
   const Complex* complex_;
-  const Order* order_;
+  const Vertex_order* order_;
   const Kept_neighbors* kept_neighbors_;
   Indexed_vector<Vertex_index, Relaxed_value<Index>> ends_; // the number behind that of the end, so that 0 is no_index
 };
@@ -170,18 +161,14 @@ public:
     : complex_(&complex),
       start_(start),
       entered_(start),
-      steps_left_(std::size_t(complex.number_of_edges()) + 2),
       is_source_below_(is_below(complex.source(start))),
       is_border_reached_(complex.is_on_border_edge(start))
   {}
 
-  // Goes to the next crossing edge. Returns whether there was one. Around an edge whose ends are on one side of the
-  // level, as an order that contradicts itself may have it, the walk might never end.
+  // Goes to the next crossing edge. Returns whether there was one.
   template <class IsBelow>
   bool go_on(const IsBelow& is_below)
   {
-    if(--steps_left_ == 0)
-      complex_->throw_contradiction_near(complex_->source(start_));
     if(!complex_->has_triangle(entered_) && !turn_round())
       return false;
     const Halfedge_index next = complex_->next(entered_);
@@ -214,7 +201,6 @@ private:
   const Complex* complex_;
   Halfedge_index start_;
   Halfedge_index entered_;
-  std::size_t steps_left_;
   bool is_source_below_;
   bool is_border_reached_;
   bool has_turned_ = false;
@@ -307,9 +293,6 @@ protected:
     return find_root(i, [this](std::size_t j) -> std::size_t& { return leaders_[j]; });
   }
 
-  // Whether a leader has not found all of its contour. An order that contradicts itself can lead to one that has.
-  bool is_open(std::size_t i) const { return is_open_[i]; }
-
   // Ends a search, for which its leader goes on, if that is another one.
   void close(std::size_t i, std::size_t leader)
   {
@@ -322,6 +305,9 @@ protected:
   std::vector<Plain_vector<Halfedge_index>> crossed_edges_; // by search, as all else here
 
 private:
+  // Whether a search goes on: it leads, and has not found all of its contour.
+  bool is_open(std::size_t i) const { return is_open_[i]; }
+
   std::vector<bool> is_open_;
   Plain_vector<std::size_t> leaders_;
   Plain_vector<std::size_t> turns_; // those that go on
@@ -371,7 +357,7 @@ private:
     const auto start = std::lower_bound(starts_.begin(), starts_.end(), std::make_pair(edge, std::size_t(0)));
     if(start == starts_.end() || start->first != edge)
       return;
-    if(const std::size_t other = this->leader(start->second); other != i && this->is_open(other))
+    if(const std::size_t other = this->leader(start->second); other != i)
       this->close(other, i);
   }
 

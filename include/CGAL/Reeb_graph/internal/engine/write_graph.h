@@ -41,11 +41,10 @@ inline Node_kind node_kind(Index in_degree, Index out_degree)
 
 // The groups that critical vertices form: each one alone, or if ties are contracted, those that arcs of length zero
 // connect.
-template <class Order>
 class Tie_groups
 {
 public:
-  Tie_groups(const Order& order, const Swept_vertices& critical_vertices, const Swept_arcs& arcs, Ties ties)
+  Tie_groups(const Vertex_order& order, const Swept_vertices& critical_vertices, const Swept_arcs& arcs, Ties ties)
     : order_(order),
       critical_vertices_(critical_vertices),
       are_ties_contracted_(ties == Ties::CONTRACT)
@@ -80,7 +79,7 @@ public:
   bool is_on_plateau(Swept_index critical) const { return are_ties_contracted_ && is_on_plateau_[critical]; }
 
 private:
-  const Order& order_;
+  const Vertex_order& order_;
   const Swept_vertices& critical_vertices_;
   const bool are_ties_contracted_;
   // Groups and plateaus are empty unless ties are contracted.
@@ -90,12 +89,12 @@ private:
 
 // Makes nodes and arcs of the critical vertices and the arcs between them. A group of critical vertices is a node,
 // unless one arc enters it and one leaves it.
-template <class ConcurrencyTag, class Complex, class Order>
+template <class ConcurrencyTag, class Complex>
 class Arc_reduction
 {
 public:
   Arc_reduction(const Complex& complex,
-                const Order& order,
+                const Vertex_order& order,
                 const Swept_vertices& critical_vertices,
                 const Swept_arcs& arcs,
                 Ties ties,
@@ -245,8 +244,6 @@ private:
       name_segment(first_segment_of_group_, group, first_segment);
       name_segment(first_segment_of_arc_, next_arc, first_segment);
     });
-    if(upper <= lower)
-      complex_.throw_contradiction_near(graph_.nodes[upper].vertex);
     return {lower, upper, first_segment, segment.number() - first_segment.number()};
   }
 
@@ -307,10 +304,7 @@ private:
       {
         const auto first = graph_.arcs.begin() + begins_of_arcs_[Node_index(node)].number();
         const auto last = graph_.arcs.begin() + begins_of_arcs_[Node_index(node + 1)].number();
-        if constexpr(Order::is_sure)
-          std::sort(first, last, is_before);
-        else if(last - first > 1)
-          std::stable_sort(first, last, is_before); // see sort()
+        std::sort(first, last, is_before);
       }
     });
   }
@@ -338,10 +332,10 @@ private:
   };
 
   const Complex& complex_;
-  const Order& order_;
+  const Vertex_order& order_;
   const Swept_vertices& critical_vertices_;
   const Swept_arcs& arcs_;
-  const Tie_groups<Order> groups_;
+  const Tie_groups groups_;
   const bool are_degree_two_nodes_kept_;
   Indexed_vector<Swept_index, Degrees> degrees_;         // by group
   Indexed_vector<Swept_arc_index, Index> ranks_;         // how many arcs before leave the same group
@@ -351,21 +345,21 @@ private:
   Flat_graph graph_;
 };
 
-template <class ConcurrencyTag, class Complex, class Order>
+template <class ConcurrencyTag, class Complex>
 Flat_graph reduce_arcs(const Complex& complex,
-                       const Order& order,
+                       const Vertex_order& order,
                        const Swept_vertices& critical_vertices,
                        const Swept_arcs& arcs,
                        Ties ties,
                        bool are_degree_two_nodes_kept,
                        bool are_passing_arcs_named)
 {
-  return Arc_reduction<ConcurrencyTag, Complex, Order>(complex, order, critical_vertices, arcs, ties,
-                                                       are_degree_two_nodes_kept)(are_passing_arcs_named);
+  return Arc_reduction<ConcurrencyTag, Complex>(complex, order, critical_vertices, arcs, ties,
+                                                are_degree_two_nodes_kept)(are_passing_arcs_named);
 }
 
-#define CGAL_REEB_GRAPH_REDUCE_ARCS(PREFIX, TAG, COMPLEX, SCALAR)                                                      \
-  PREFIX template Flat_graph reduce_arcs<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Swept_vertices&,     \
+#define CGAL_REEB_GRAPH_REDUCE_ARCS(PREFIX, TAG, COMPLEX)                                                              \
+  PREFIX template Flat_graph reduce_arcs<TAG>(const COMPLEX&, const Vertex_order&, const Swept_vertices&,              \
                                               const Swept_arcs&, Ties, bool, bool);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_REDUCE_ARCS)
 
@@ -385,18 +379,16 @@ struct Flat_chains
 };
 
 // Walks the segments of chains from `begin` to `end`. A path that has entered an arc cannot leave it below the upper
-// node, so comparisons tell the end, and the chain does not depend on how the arc was found. No vertex is passed twice,
-// unless the order contradicts itself.
-template <class Complex, class Order>
+// node, so comparisons tell the end, and the chain does not depend on how the arc was found.
+template <class Complex>
 Plain_vector<Halfedge_index> walk_segments(const Complex& complex,
-                                           const Order& order,
+                                           const Vertex_order& order,
                                            const Chain_segment* begin,
                                            const Chain_segment* end,
                                            std::size_t* begins_of_segments)
 {
   Plain_vector<Halfedge_index> halfedges;
   halfedges.reserve(3 * static_cast<std::size_t>(end - begin));
-  const std::size_t most = complex.number_of_vertices() + static_cast<std::size_t>(end - begin);
   const auto add = [&](const Ascending_step& step) {
     const bool is_ascending = complex.target(step.edge) == step.target;
     halfedges.push_back(is_ascending ? step.edge : opposite_of(step.edge));
@@ -406,18 +398,14 @@ Plain_vector<Halfedge_index> walk_segments(const Complex& complex,
     *begins_of_segments++ = halfedges.size();
     add(segment->first_step);
     const auto is_below = [&](Vertex_index vertex) { return order(vertex, segment->upper_vertex); };
-    climb(complex, order, segment->first_step.target, is_below, [&](Vertex_index vertex, const Ascending_step& step) {
-      if(halfedges.size() == most)
-        complex.throw_contradiction_near(vertex);
-      add(step);
-    });
+    climb(complex, order, segment->first_step.target, is_below, add);
   }
   return halfedges;
 }
 
 // Engines find arcs by and large in the order of where they begin on the mesh, and segments have kept that order.
-template <class ConcurrencyTag, class Complex, class Order>
-Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Flat_graph& graph)
+template <class ConcurrencyTag, class Complex>
+Flat_chains find_arc_chains(const Complex& complex, const Vertex_order& order, const Flat_graph& graph)
 {
   const std::size_t size = graph.segments.size();
   Flat_chains chains;
@@ -442,8 +430,8 @@ Flat_chains find_arc_chains(const Complex& complex, const Order& order, const Fl
   return chains;
 }
 
-#define CGAL_REEB_GRAPH_FIND_ARC_CHAINS(PREFIX, TAG, COMPLEX, SCALAR)                                                  \
-  PREFIX template Flat_chains find_arc_chains<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, const Flat_graph&);
+#define CGAL_REEB_GRAPH_FIND_ARC_CHAINS(PREFIX, TAG, COMPLEX)                                                          \
+  PREFIX template Flat_chains find_arc_chains<TAG>(const COMPLEX&, const Vertex_order&, const Flat_graph&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARC_CHAINS)
 
 // The halfedges of the mesh in the chains.
@@ -502,9 +490,9 @@ void prefetch_node(const Graph& graph, std::size_t node)
 }
 
 // Replaces the content of `graph` by the nodes, and by the arcs without their chains.
-template <class ConcurrencyTag, class VertexList, class Scalar, class ReebGraph>
+template <class ConcurrencyTag, class VertexList, class Field, class ReebGraph>
 void write_nodes_and_arcs(const VertexList& vertex_list,
-                          const Indexed_vector<Vertex_index, Scalar>& values,
+                          const Field& field,
                           const Flat_graph& flat_graph,
                           ReebGraph& graph)
 {
@@ -516,11 +504,11 @@ void write_nodes_and_arcs(const VertexList& vertex_list,
   {
     const Node_index later(i.number() + ahead);
     if(flat_graph.nodes.contains(later))
-      prefetch_element(values, flat_graph.nodes[later].vertex);
+      prefetch_element(field.keys(), flat_graph.nodes[later].vertex);
     const Flat_node& flat_node = flat_graph.nodes[i];
     Node node;
     node.vertex = vertex_list[flat_node.vertex];
-    node.value = values[flat_node.vertex];
+    node.value = field.value(flat_node.vertex);
     node.kind = flat_node.kind;
     add_vertex(std::move(node), graph);
   }
@@ -555,15 +543,15 @@ void write_chains(const std::shared_ptr<const std::vector<HalfedgeDescriptor>>& 
 }
 
 // Walks the chains of the arcs beside writing nodes and arcs, for which one thread is enough, into `graph`.
-template <class ConcurrencyTag, class FaceListGraph, class Complex, class Scalar, class Order, class ReebGraph>
+template <class ConcurrencyTag, class FaceListGraph, class Complex, class Field, class ReebGraph>
 void write_graph(const FaceListGraph& mesh,
                  const Complex& complex,
                  const Mesh_numbers<FaceListGraph>& numbers,
-                 const Indexed_vector<Vertex_index, Scalar>& values,
-                 const Order& order,
+                 const Field& field,
                  const Flat_graph& flat_graph,
                  ReebGraph& graph)
 {
+  const Vertex_order order(field.keys());
   Flat_chains chains;
   decltype(chain_halfedges<ConcurrencyTag>(mesh, numbers.halfedges, chains)) halfedges;
   bool is_graph_changed = false;
@@ -577,10 +565,10 @@ void write_graph(const FaceListGraph& mesh,
       },
       [&] {
         is_graph_changed = true;
-        write_nodes_and_arcs<ConcurrencyTag>(numbers.vertices, values, flat_graph, graph);
+        write_nodes_and_arcs<ConcurrencyTag>(numbers.vertices, field, flat_graph, graph);
       });
   }
-  catch(...) // Memory has run out, or the order of the user throws.
+  catch(...) // Memory has run out.
   {
     if(is_graph_changed)
       graph.clear();

@@ -42,6 +42,30 @@
 
 namespace CGAL::Reeb_graph::internal {
 
+// A level: a place between two vertices of the total order, which is named by the first one that could be above it.
+class Level
+{
+public:
+  // Just above or just below a vertex.
+  Level(const Vertex_order& order, Side side, Vertex_index vertex)
+    : order_(&order),
+      first_above_(order.key(vertex, Vertex_index(vertex.number() + (side == Side::UPPER ? 1 : 0))))
+  {}
+
+  // Just above or just below all vertices that have a key, or would have it. No vertex is below NaN.
+  Level(const Vertex_order& order, Side side, double key)
+    : order_(&order),
+      first_above_{key, side == Side::UPPER ? Vertex_index(no_index) : Vertex_index(0)}
+  {}
+
+  // Whether the vertex is below the level.
+  bool operator()(Vertex_index u) const { return (*order_)(order_->key(u, u), first_above_); }
+
+private:
+  const Vertex_order* order_;
+  Vertex_order::Key<Vertex_index> first_above_;
+};
+
 struct Place_tag;
 typedef Index_of<Place_tag> Place_index;
 
@@ -72,13 +96,13 @@ private:
 };
 
 // Makes what Vertex_lists needs.
-template <class VertexList, class Order>
+template <class VertexList>
 auto sort_vertices_by_place(const VertexList& vertex_list,
-                            const Order& order,
+                            const Vertex_order& order,
                             const Place_of_vertex& places,
                             std::size_t number_of_places)
 {
-  typedef typename Order::template Key<Vertex_index> Key;
+  typedef Vertex_order::Key<Vertex_index> Key;
   Buckets<Place_index, Key> keys(number_of_places, [&](const auto& visit) {
     for(const Vertex_index v : places.keys())
       if(places[v] != no_index)
@@ -111,20 +135,19 @@ public:
   typedef ReebGraph Graph;
   typedef Traits_ Traits;
   typedef typename Traits::Scalar Scalar;
-  typedef Vertex_order<Scalar, typename Traits::Less_scalar> Order;
   typedef Complex_of_t<FaceListGraph> Complex;
   typedef typename Vertex_list<FaceListGraph>::vertex_descriptor vertex_descriptor;
   typedef typename boost::graph_traits<ReebGraph>::vertex_descriptor node_descriptor;
   typedef typename boost::graph_traits<ReebGraph>::edge_descriptor arc_descriptor;
 
-  // The order refers to the values.
+  // The order refers to the keys.
   Graph_on_complex(const Graph_on_complex&) = delete;
   Graph_on_complex& operator=(const Graph_on_complex&) = delete;
 
   const ReebGraph& graph() const { return graph_; }
   const Flat_mesh<FaceListGraph>& flat_mesh() const { return *flat_values_->mesh; }
   const Complex& complex() const { return flat_mesh().complex; }
-  const Order& order() const { return order_; }
+  const Vertex_order& order() const { return order_; }
   auto arcs() const { return CGAL::make_range(edges(graph_)); }
   const auto& chain(arc_descriptor arc) const { return graph_[arc].chain; }
 
@@ -151,9 +174,11 @@ public:
   Vertex_index lower_vertex(arc_descriptor arc) const { return node_vertex(source(arc, graph_)); }
   Vertex_index upper_vertex(arc_descriptor arc) const { return node_vertex(target(arc, graph_)); }
 
-  const Scalar& scalar(Vertex_index number) const { return flat_values_->values[number]; }
+  // The values of vertices, and of users, as keys and as numbers.
+  double key(Vertex_index number) const { return flat_values_->field.keys()[number]; }
+  double key_of(const Scalar& value) const { return flat_values_->field.key_of(value, less_); }
   const Scalar_conversion<Traits>& conversion() const { return conversion_; }
-  double value(Vertex_index number) const { return conversion_.to_double(scalar(number)); }
+  double value(Vertex_index number) const { return conversion_.to_double(flat_values_->field.value(number)); }
 
 protected:
   // make_flat_values() returns a shared pointer, and takes most of the time.
@@ -164,7 +189,8 @@ protected:
                    const MakeFlatValues& make_flat_values)
     : graph_(graph),
       flat_values_((progress.report(0), make_flat_values())),
-      order_(flat_values_->values, traits.less_scalar_object()),
+      order_(flat_values_->field.keys()),
+      less_(traits.less_scalar_object()),
       conversion_(traits)
   {
     progress.report(0.8);
@@ -175,7 +201,8 @@ protected:
 private:
   const ReebGraph& graph_;
   const std::shared_ptr<const Flat_values<FaceListGraph, Scalar>> flat_values_;
-  const Order order_;
+  const Vertex_order order_;
+  const typename Traits::Less_scalar less_;
   const Scalar_conversion<Traits> conversion_;
 };
 
@@ -360,8 +387,7 @@ void check_nodes(const GraphOnMesh& on_mesh)
   for(const auto node : CGAL::make_range(vertices(graph)))
   {
     const Vertex_index v = on_mesh.node_vertex(node);
-    if(!on_mesh.is_vertex(v, graph[node].vertex) || on_mesh.order().is_lower(v, graph[node].value)
-       || on_mesh.order().is_higher(v, graph[node].value)
+    if(!on_mesh.is_vertex(v, graph[node].vertex) || on_mesh.key(v) != on_mesh.key_of(graph[node].value)
        || (lower_vertex != no_index && !on_mesh.order()(lower_vertex, v)))
       throw Graph_mismatch_error();
     lower_vertex = v;
@@ -469,9 +495,9 @@ void check_is_arc(const ReebGraph& graph, typename boost::graph_traits<ReebGraph
 
 // The places of all vertices in the exact graph, which is computed once more. Nothing but the surface and the order of
 // its vertices is asked. check_graph(graph) may throw.
-template <class ConcurrencyTag, class Complex, class Order>
+template <class ConcurrencyTag, class Complex>
 Place_of_vertex find_places(const Complex& complex,
-                            const Order& order,
+                            const Vertex_order& order,
                             Ties ties,
                             bool are_degree_two_nodes_kept,
                             const std::function<void(const Flat_graph&)>& check_graph,
@@ -527,10 +553,10 @@ VertexPlaces locate_vertices(const GraphOnMesh& on_mesh,
     std::make_shared<Vertex_lists<vertex_descriptor>>(on_mesh.list_vertices(place_of_vertex, number_of_places)));
 }
 
-#define CGAL_REEB_GRAPH_FIND_PLACES(PREFIX, TAG, COMPLEX, SCALAR)                                                      \
-  PREFIX template Place_of_vertex find_places<TAG>(const COMPLEX&, const Natural_order<SCALAR>&, Ties, bool,           \
+#define CGAL_REEB_GRAPH_FIND_PLACES(PREFIX, TAG, COMPLEX)                                                              \
+  PREFIX template Place_of_vertex find_places<TAG>(const COMPLEX&, const Vertex_order&, Ties, bool,                    \
                                                    const std::function<void(const Flat_graph&)>&, const Progress&);
-CGAL_REEB_GRAPH_FOR_COMPLEXES_OF_DOUBLES(CGAL_REEB_GRAPH_FIND_PLACES)
+CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_PLACES)
 
 } // namespace CGAL::Reeb_graph::internal
 

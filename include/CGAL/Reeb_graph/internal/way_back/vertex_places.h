@@ -28,9 +28,9 @@ namespace CGAL::Reeb_graph::internal {
 
 // The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
 // to: the number of a node, or the number of nodes plus that of an arc.
-template <class ConcurrencyTag, class Complex, class Order>
+template <class ConcurrencyTag, class Complex>
 Place_of_vertex find_vertex_places(const Complex& complex,
-                                   const Order& order,
+                                   const Vertex_order& order,
                                    const Swept_vertices& critical_vertices,
                                    const Swept_arcs& critical_arcs,
                                    const Arc_of_vertex& arc_of_vertex,
@@ -38,26 +38,19 @@ Place_of_vertex find_vertex_places(const Complex& complex,
                                    Ties ties)
 {
   checked_index(graph.nodes.size() + graph.arcs.size());
-  const auto place_of_arc = [&](Arc_index arc, Vertex_index vertex) {
-    if(arc == no_index)
-      complex.throw_contradiction_near(vertex);
-    return static_cast<Index>(graph.nodes.size()) + arc.number();
-  };
+  const auto place_of_arc = [&](Arc_index arc) { return static_cast<Index>(graph.nodes.size()) + arc.number(); };
   const auto place_of_critical = [&](Swept_index critical) {
     const Node_index node = graph.node_of_critical[critical];
-    return node != no_index ? node.number()
-                            : place_of_arc(graph.arc_of_critical[critical], critical_vertices.vertex(critical));
+    return node != no_index ? node.number() : place_of_arc(graph.arc_of_critical[critical]);
   };
   // The place of a regular vertex on an arc between critical vertices. On a plateau, it is where the end of the arc is.
   const auto place_on_arc = [&](Vertex_index vertex, Swept_arc_index critical_arc) {
-    if(critical_arc == no_index)
-      complex.throw_contradiction_near(vertex);
     if(ties == Ties::CONTRACT)
       for(const Swept_index end :
           {critical_arcs[critical_arc].lower_vertex(), critical_arcs[critical_arc].upper_vertex()})
         if(order.are_tied(vertex, critical_vertices.vertex(end)))
           return place_of_critical(end);
-    return place_of_arc(graph.arc_of_critical_arc[critical_arc], vertex);
+    return place_of_arc(graph.arc_of_critical_arc[critical_arc]);
   };
   Place_of_vertex places(complex.number_of_vertices(), no_index);
   for(const Swept_index critical : critical_vertices.indices())
@@ -95,18 +88,18 @@ public:
 
   explicit Vertex_places_for_map(const PlaceMap& map) : map_(map) {}
 
-  template <class ConcurrencyTag, class Complex, class Order>
+  template <class ConcurrencyTag, class Complex>
   Swept_arcs find_arcs(const Complex& complex,
-                       const Order& order,
+                       const Vertex_order& order,
                        const Swept_vertices& critical_vertices,
                        const Stage_progress& progress)
   {
     return find_arcs_and_locate_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex_, progress);
   }
 
-  template <class ConcurrencyTag, class Complex, class Order>
+  template <class ConcurrencyTag, class Complex>
   void find(const Complex& complex,
-            const Order& order,
+            const Vertex_order& order,
             const Swept_vertices& critical_vertices,
             const Swept_arcs& critical_arcs,
             const Flat_graph& graph,

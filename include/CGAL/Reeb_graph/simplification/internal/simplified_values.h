@@ -45,12 +45,32 @@
 
 namespace CGAL::Reeb_graph::internal {
 
+// The numbers that the values of a field may have: all doubles, or those that are floats, too.
+class Number_format
+{
+public:
+  explicit Number_format(bool are_floats) : are_floats_(are_floats) {}
+
+  // The nearest one of a double.
+  double rounded(double number) const { return are_floats_ ? static_cast<double>(static_cast<float>(number)) : number; }
+
+  // The next one behind one of them, on the way to another number.
+  double next(double number, double target) const
+  {
+    return are_floats_ ? std::nextafter(static_cast<float>(number), static_cast<float>(target))
+                       : std::nextafter(number, target);
+  }
+
+private:
+  bool are_floats_;
+};
+
 // The removed pieces of a surface. All vertices of a piece have been removed together with branches at one saddle, and
 // are moved next to it in the order of the vertices: just above it if one of them is below it, else just below it. The
 // vertices around the piece do not change sides. Within it, the vertices are numbered so that each has a lower and a
 // higher neighbor. So no extremum is left, and as the indices of the piece and of its saddle add up to the same as
 // before, no other saddle than that of the arcs that stay if the piece has no handle and no border.
-template <class Complex, class Scalar>
+template <class Complex>
 class Moved_pieces
 {
 public:
@@ -60,23 +80,25 @@ public:
   Moved_pieces(const Complex& complex,
                const Weighted_graph& graph,
                const std::vector<Index>& saddles,
-               const std::vector<Scalar>& rooms,
-               const std::vector<Scalar>& values,
-               double threshold)
+               const std::vector<double>& rooms,
+               const std::vector<double>& values,
+               double threshold,
+               Number_format format)
     : complex_(complex),
       graph_(graph),
       saddles_(saddles),
       rooms_(rooms),
       values_(values),
       threshold_(threshold),
+      format_(format),
       st_numbering_(graph),
       numbers_(values.size(), no_index)
   {}
 
   // The values with those of the pieces changed, but not those of a piece with all its surroundings on one side.
-  std::vector<Scalar> move()
+  std::vector<double> move()
   {
-    std::vector<Scalar> moved = values_;
+    std::vector<double> moved = values_;
     Index number = 0;
     for(Index v = 0; v != graph_.number_of_vertices(); ++v)
     {
@@ -94,13 +116,15 @@ public:
   }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   struct Piece
   {
     std::vector<Index> vertices;
     Index saddle = 0;
     bool is_above = false;     // whether it is moved to just above the saddle
     bool has_source, has_sink; // among the vertices around it
-    Scalar highest_source, lowest_sink;
+    double highest_source, lowest_sink;
   };
 
   bool is_lower(Index u, Index v) const { return std::make_pair(values_[u], u) < std::make_pair(values_[v], v); }
@@ -142,7 +166,6 @@ private:
   // Finds what bounds the values of a piece.
   void look_around(Piece& piece, Index number) const
   {
-    constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
     piece.has_source = piece.has_sink = false;
     piece.highest_source = -infinity;
     piece.lowest_sink = infinity;
@@ -163,23 +186,22 @@ private:
   // As many values as the piece has vertices, ascending, between the saddle and the middle of the way to the next of
   // the vertices around the piece: the other half is for a piece that comes the other way. They take a small part of the
   // room, so that the largest change stays below the threshold.
-  std::vector<Scalar> choose_values(const Piece& piece) const
+  std::vector<double> choose_values(const Piece& piece) const
   {
     const bool is_above = piece.is_above;
-    const Scalar from = values_[piece.saddle], to = is_above ? piece.lowest_sink : piece.highest_source;
-    const Scalar infinity = std::numeric_limits<Scalar>::infinity();
-    const Scalar middle = std::isinf(to) ? to : from / 2 + to / 2;
-    const Scalar slack = static_cast<Scalar>(threshold_) - largest_distance(piece.vertices, from);
-    const Scalar room = (std::min)(
-      {std::abs(middle - from), std::abs(slack), rooms_[piece.saddle], (std::max)(std::abs(from), Scalar(1))});
+    const double from = values_[piece.saddle], to = is_above ? piece.lowest_sink : piece.highest_source;
+    const double middle = std::isinf(to) ? to : from / 2 + to / 2;
+    const double slack = threshold_ - largest_distance(piece.vertices, from);
+    const double room =
+      (std::min)({std::abs(middle - from), std::abs(slack), rooms_[piece.saddle], (std::max)(std::abs(from), 1.)});
     const std::size_t size = piece.vertices.size();
-    std::vector<Scalar> values;
-    Scalar last = from;
+    std::vector<double> values;
+    double last = from;
     for(std::size_t i = 0; i != size; ++i)
     {
-      const Scalar step = room / 4 * (static_cast<Scalar>(i + 1) / static_cast<Scalar>(size));
-      last = is_above ? (std::max)(from + step, std::nextafter(last, infinity))
-                      : (std::min)(from - step, std::nextafter(last, -infinity));
+      const double step = room / 4 * (static_cast<double>(i + 1) / static_cast<double>(size));
+      last = is_above ? (std::max)(format_.rounded(from + step), format_.next(last, infinity))
+                      : (std::min)(format_.rounded(from - step), format_.next(last, -infinity));
       if(!(is_above ? from < last && last < middle : last < from && middle < last))
         throw_too_few_numbers(piece.vertices.front());
       values.push_back(last);
@@ -189,12 +211,12 @@ private:
     return values;
   }
 
-  void put_values(const std::vector<Index>& order, const std::vector<Scalar>& values, std::vector<Scalar>& moved) const
+  void put_values(const std::vector<Index>& order, const std::vector<double>& values, std::vector<double>& moved) const
   {
     for(std::size_t i = 0; i != order.size(); ++i)
     {
       moved[order[i]] = values[i];
-      if(!(std::abs(static_cast<double>(values[i]) - static_cast<double>(values_[order[i]])) < threshold_))
+      if(!(std::abs(values[i] - values_[order[i]]) < threshold_))
         throw_too_few_numbers(order[i]);
     }
   }
@@ -204,9 +226,9 @@ private:
     throw Perturbed_ties_error(complex_.position(Vertex_index(v)));
   }
 
-  Scalar largest_distance(const std::vector<Index>& vertices, Scalar value) const
+  double largest_distance(const std::vector<Index>& vertices, double value) const
   {
-    Scalar distance = 0;
+    double distance = 0;
     for(const Index v : vertices)
       distance = (std::max)(distance, std::abs(values_[v] - value));
     return distance;
@@ -215,9 +237,10 @@ private:
   const Complex& complex_;
   const Weighted_graph& graph_; // its edges
   const std::vector<Index>& saddles_;
-  const std::vector<Scalar>& rooms_;
-  const std::vector<Scalar>& values_;
+  const std::vector<double>& rooms_;
+  const std::vector<double>& values_;
   const double threshold_;
+  const Number_format format_;
   St_numbering st_numbering_;
   std::vector<Index> numbers_; // by vertex, of its piece
 };
@@ -226,22 +249,20 @@ private:
 inline constexpr int largest_spread_divisor = 1024;
 
 // The saddles of one value with which other vertices are tied where there has to be room for a piece.
-template <class Scalar>
 struct Tied_saddles
 {
   std::set<Index> saddles;
-  Scalar largest_change; // keeps the changes in the pieces below the threshold
+  double largest_change; // keeps the changes in the pieces below the threshold
 };
 
 // These saddles, by value: those of pieces with a neighbor of the value of the saddle, as no number is between the two.
 // `saddles` are those of Moved_pieces.
-template <class Scalar>
-std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const Weighted_graph& graph,
-                                                         const std::vector<Index>& saddles,
-                                                         const std::vector<Scalar>& values,
-                                                         Scalar threshold)
+inline std::map<double, Tied_saddles> find_tied_saddles(const Weighted_graph& graph,
+                                                        const std::vector<Index>& saddles,
+                                                        const std::vector<double>& values,
+                                                        double threshold)
 {
-  std::map<Scalar, Tied_saddles<Scalar>> tied_saddles;
+  std::map<double, Tied_saddles> tied_saddles;
   const auto add = [&](Index saddle) {
     auto& tied = tied_saddles[values[saddle]];
     tied.saddles.insert(saddle);
@@ -271,12 +292,13 @@ std::map<Scalar, Tied_saddles<Scalar>> find_tied_saddles(const Weighted_graph& g
 // Tells these saddles apart from the vertices tied with them, by values between this one and the next larger one: those
 // of the value that come before the first saddle keep it, and those between two saddles have one value. The order of
 // all vertices, and so the graph, stays the same.
-template <class Complex, class Scalar>
-std::vector<Scalar> spread_ties(const Complex& complex,
-                                const std::vector<Scalar>& values,
-                                const std::map<Scalar, Tied_saddles<Scalar>>& tied_saddles)
+template <class Complex>
+std::vector<double> spread_ties(const Complex& complex,
+                                const std::vector<double>& values,
+                                const std::map<double, Tied_saddles>& tied_saddles,
+                                Number_format format)
 {
-  std::vector<Scalar> spread = values;
+  std::vector<double> spread = values;
   if(tied_saddles.empty())
     return spread;
   std::vector<Index> ascending;
@@ -286,9 +308,9 @@ std::vector<Scalar> spread_ties(const Complex& complex,
       ascending.push_back(v.number());
   }
   std::stable_sort(ascending.begin(), ascending.end(), [&](Index u, Index v) { return values[u] < values[v]; });
-  const Scalar infinity = std::numeric_limits<Scalar>::infinity();
-  const Scalar lowest = values[ascending.front()], highest = values[ascending.back()];
-  const Scalar largest_spread =
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double lowest = values[ascending.front()], highest = values[ascending.back()];
+  const double largest_spread =
     lowest < highest ? part_of_difference(lowest, highest, largest_spread_divisor) : infinity;
   for(const auto& [value, tied] : tied_saddles)
   {
@@ -296,16 +318,16 @@ std::vector<Scalar> spread_ties(const Complex& complex,
                                             [&, value = value](Index v) { return values[v] < value; });
     const auto end =
       std::partition_point(begin, ascending.end(), [&, value = value](Index v) { return !(value < values[v]); });
-    const Scalar next = end == ascending.end() ? infinity : values[*end];
-    const Scalar room = (std::min)({tied.largest_change, largest_spread, (next - value) / 2});
-    const auto size = static_cast<Scalar>(2 * tied.saddles.size() + 1);
+    const double next = end == ascending.end() ? infinity : values[*end];
+    const double room = (std::min)({tied.largest_change, largest_spread, (next - value) / 2});
+    const auto size = static_cast<double>(2 * tied.saddles.size() + 1);
     std::size_t number_of_steps = 0;
     for(auto it = begin; it != end; ++it)
     {
       const bool is_step = it != begin && (tied.saddles.count(*it) != 0 || tied.saddles.count(it[-1]) != 0);
       number_of_steps += is_step ? 1 : 0;
       if(number_of_steps != 0)
-        spread[*it] = value + room * (static_cast<Scalar>(number_of_steps) / size);
+        spread[*it] = format.rounded(value + room * (static_cast<double>(number_of_steps) / size));
       if((is_step && !(spread[it[-1]] < spread[*it])) || !(spread[*it] < next || number_of_steps == 0))
         throw Perturbed_ties_error(complex.position(Vertex_index(*it)));
     }
@@ -325,13 +347,12 @@ std::vector<Index> vertices_of_nodes(const MeshNumbers& numbers, const ReebGraph
 }
 
 // By vertex of a node, the distance to the next value of another node.
-template <class Scalar>
-std::vector<Scalar> rooms_of_nodes(const std::vector<Index>& nodes, const std::vector<Scalar>& values)
+inline std::vector<double> rooms_of_nodes(const std::vector<Index>& nodes, const std::vector<double>& values)
 {
-  std::vector<Scalar> rooms(values.size(), std::numeric_limits<Scalar>::infinity());
+  std::vector<double> rooms(values.size(), std::numeric_limits<double>::infinity());
   for(std::size_t node = 1; node < nodes.size(); ++node)
   {
-    const Scalar room = values[nodes[node]] - values[nodes[node - 1]];
+    const double room = values[nodes[node]] - values[nodes[node - 1]];
     for(const Index v : {nodes[node - 1], nodes[node]})
     {
       if(room > 0)
@@ -383,42 +404,28 @@ bool is_simplified_graph(const ReebGraph& graph, const SimplifiedGraph& simplifi
       && std::find(is_found.begin(), is_found.end(), false) == is_found.end();
 }
 
-// With contracted ties, a removed piece is part of the plateau of its saddle. Nothing can be in the way: the contour of
-// the saddle and the piece are connected, and no other edge crosses another level than before.
-template <class ReebGraph, class Scalar>
-std::vector<Scalar> contracted_values(const ReebGraph& graph,
-                                      const std::vector<Index>& nodes_of_saddles,
-                                      std::vector<Scalar> values)
-{
-  for(std::size_t v = 0; v != values.size(); ++v)
-  {
-    if(nodes_of_saddles[v] != no_index)
-      values[v] = graph[nodes_of_saddles[v]].value;
-  }
-  return values;
-}
-
-// With perturbed ties, it is moved next to its saddle. `nodes` are the vertices of the nodes.
-template <class Complex, class Scalar>
-std::vector<Scalar> perturbed_values(const Complex& complex,
+// With perturbed ties, a removed piece is moved next to its saddle. `nodes` are the vertices of the nodes.
+template <class Complex>
+std::vector<double> perturbed_values(const Complex& complex,
                                      const std::vector<Index>& nodes,
                                      std::vector<Index> saddles, // at first, nodes
-                                     const std::vector<Scalar>& values,
-                                     double threshold)
+                                     const std::vector<double>& values,
+                                     double threshold,
+                                     Number_format format)
 {
   for(Index& saddle : saddles)
     saddle = saddle == no_index ? no_index : nodes[saddle];
   const auto graph = edge_graph(complex);
-  const std::vector<Scalar> spread =
-    spread_ties(complex, values, find_tied_saddles(graph, saddles, values, static_cast<Scalar>(threshold)));
-  const std::vector<Scalar> rooms = rooms_of_nodes(nodes, spread);
-  return Moved_pieces<Complex, Scalar>(complex, graph, saddles, rooms, spread, threshold).move();
+  const std::vector<double> spread =
+    spread_ties(complex, values, find_tied_saddles(graph, saddles, values, format.rounded(threshold)), format);
+  const std::vector<double> rooms = rooms_of_nodes(nodes, spread);
+  return Moved_pieces<Complex>(complex, graph, saddles, rooms, spread, threshold, format).move();
 }
 
-#define CGAL_REEB_GRAPH_PERTURBED_VALUES(PREFIX, TAG, COMPLEX, SCALAR)                                                 \
-  PREFIX template std::vector<SCALAR> perturbed_values(const COMPLEX&, const std::vector<Index>&, std::vector<Index>,  \
-                                                       const std::vector<SCALAR>&, double);
-CGAL_REEB_GRAPH_FOR_SURFACES_OF_DOUBLES_ONCE(CGAL_REEB_GRAPH_PERTURBED_VALUES)
+#define CGAL_REEB_GRAPH_PERTURBED_VALUES(PREFIX, TAG, COMPLEX)                                                         \
+  PREFIX template std::vector<double> perturbed_values(const COMPLEX&, const std::vector<Index>&, std::vector<Index>,  \
+                                                       const std::vector<double>&, double, Number_format);
+CGAL_REEB_GRAPH_FOR_SURFACES_ONCE(CGAL_REEB_GRAPH_PERTURBED_VALUES)
 
 // Computes the graph with the places of the vertices, by their numbers.
 template <class Graph, class FlatField, class NamedParameters>
@@ -459,16 +466,24 @@ auto simplified_values(FlatField& flat_field,
   saddles.reserve(places.size());
   for(const Index place : places)
     saddles.push_back(place == no_index ? no_index : saddles_of_places[place]);
-  const auto& given_values = flat_field.flat_values(mesh)->values;
-  std::vector<Scalar> values(given_values.begin(), given_values.end());
+  const auto& field = flat_field.flat_values(mesh)->field;
+  std::vector<Scalar> values(places.size());
   if(internal::parameter_or(np, ties, Ties::PERTURB) == Ties::CONTRACT)
-    return contracted_values(graph, saddles, std::move(values));
-  if constexpr(std::is_floating_point_v<Scalar>)
+  {
+    // A removed piece is part of the plateau of its saddle. Nothing can be in the way: the contour of the saddle and the
+    // piece are connected, and no other edge crosses another level than before.
+    for(std::size_t v = 0; v != values.size(); ++v)
+      values[v] = saddles[v] == no_index ? field.value(Vertex_index(v)) : graph[saddles[v]].value;
+    return values;
+  }
+  if constexpr(std::is_floating_point_v<Scalar> && has_exact_keys<Scalar, std::less<Scalar>>)
   {
     Graph simplified, graph_of_moved;
     const auto simplification = write_simplified_graph(graph, pruned, simplified);
-    values =
-      perturbed_values(flat_mesh->complex, vertices_of_nodes(numbers, graph), std::move(saddles), values, threshold);
+    const std::vector<double> moved = perturbed_values(flat_mesh->complex, vertices_of_nodes(numbers, graph),
+                                                       std::move(saddles), {field.keys().begin(), field.keys().end()},
+                                                       threshold, Number_format(std::is_same_v<Scalar, float>));
+    std::transform(moved.begin(), moved.end(), values.begin(), [](double value) { return static_cast<Scalar>(value); });
     progress(0.75);
     flat_field.set_values(boost::make_function_property_map<typename FlatField::key_type>(
       [&](const auto& v) { return values[numbers.number_of(v).number()]; }));
@@ -484,7 +499,7 @@ auto simplified_values(FlatField& flat_field,
     return values;
   }
   else
-    throw Perturbed_ties_error("the values are not floating-point numbers");
+    throw Perturbed_ties_error("the values are neither of type double nor float");
 }
 
 // Writes them, and returns the largest difference. find_graph(flat field, progress) returns the given graph, or a
