@@ -26,6 +26,7 @@
 
 #include <boost/graph/connected_components.hpp>
 #include <boost/mpl/list.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -265,6 +266,19 @@ Tubes tube_with_branch(double lean)
 }
 } // namespace
 
+// A trunk is as wide beside a branch as elsewhere, wherever its points are.
+BOOST_AUTO_TEST_CASE(radii_of_a_trunk_beside_a_branch)
+{
+  const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(tube_with_branch(0)));
+  Curve_skeleton<Surface_mesh> skeleton;
+  extract_curve_skeleton(mesh, skeleton, CGAL::parameters::sampling_ratio(0.05));
+  for(const auto& arc : skeleton_arcs(skeleton))
+    for(const auto v : arc)
+      if(std::max(skeleton[arc.front()].point.x(), skeleton[arc.back()].point.x()) < 20
+         && std::abs(skeleton[v].point.z()) < 30)
+        BOOST_TEST(std::abs(skeleton[v].radius - 10) <= 0.3);
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(thin_branches_of_wide_tubes, Mesh, Meshes)
 {
   for(const double lean : {0., 20.})
@@ -408,6 +422,8 @@ BOOST_AUTO_TEST_CASE(branches_in_any_order)
     BOOST_TEST_CONTEXT("surface " << i)
     {
       const Sizes sizes = sizes_of(soups[i]);
+      for(const Skeleton_branch& branch : sizes.branches)
+        BOOST_TEST((branch.junction_volume >= 0 && branch.volume >= branch.junction_volume));
       generated_surfaces::shuffle(soups[i], random);
       for(auto& triangle : soups[i].triangles)
         std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(random.below(3)), triangle.end());
@@ -419,6 +435,29 @@ BOOST_AUTO_TEST_CASE(branches_in_any_order)
                                  &Skeleton_branch::junction_volume})
           BOOST_TEST(are_near(others.branches[branch].*member, sizes.branches[branch].*member));
     }
+}
+
+// Faces that look at what belongs to others: those of a pit in a cube have no volume, whichever way the surface is turned.
+BOOST_AUTO_TEST_CASE(no_volume_is_negative)
+{
+  generated_surfaces::Triangle_soup soup;
+  soup.points = {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {0, 0, 3}, {3, 0, 3}, {3, 3, 3}, {0, 3, 3}, {1.5, 1.5, 2}};
+  soup.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7},
+                    {2, 7, 6}, {3, 0, 4}, {3, 4, 7}, {4, 5, 8}, {5, 6, 8}, {6, 7, 8}, {7, 4, 8}};
+  for(const bool is_turned : {false, true})
+  {
+    const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
+    std::vector<Skeleton_branch> branches(2);
+    const auto branch_of = boost::make_function_property_map<Surface_mesh::Face_index>(
+      [](auto f) { return std::size_t(f.idx() < 10 ? 0 : 1); });
+    const auto no_junction = boost::make_function_property_map<Surface_mesh::Face_index>([](auto) { return false; });
+    BOOST_TEST(measure_branch_faces(mesh, branch_of, no_junction, branches) == (is_turned ? 1u : 0u));
+    BOOST_TEST(branches[0].volume == 24, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(branches[1].volume == 0);
+    BOOST_TEST(branches[1].area == 3 * std::sqrt(13.), boost::test_tools::tolerance(1e-12));
+    for(auto& triangle : soup.triangles)
+      std::swap(triangle[0], triangle[1]);
+  }
 }
 
 // A tube of radius 1, one with a branch, and what is open: the volumes that a person knows, and the same inside out.

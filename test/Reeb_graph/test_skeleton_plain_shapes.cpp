@@ -104,6 +104,44 @@ Triangle_soup capsule(double radius, double length, std::size_t around, std::siz
   return turned(rings, around, -radius, length + radius);
 }
 
+double in(double least, double most, random_meshes::Random& random)
+{
+  return least + (most - least) * static_cast<double>(random.below(1001)) / 1000;
+}
+
+// A tube around a part of a circle in the plane of x and z, with flat caps.
+Triangle_soup bent_tube(double radius, double of_circle, double angle, std::size_t around, std::size_t along)
+{
+  std::vector<Ring> rings;
+  add_rings({0, radius}, {angle, radius}, along, rings);
+  Triangle_soup soup = turned(rings, around, 0, angle);
+  for(Point& p : soup.points)
+    p = {(of_circle + p[0]) * std::cos(p[2]), p[1], (of_circle + p[0]) * std::sin(p[2])};
+  return soup;
+}
+
+// Divides a share of the triangles in three, at random.
+Triangle_soup cut(Triangle_soup soup, double share, random_meshes::Random& random)
+{
+  for(std::size_t i = soup.triangles.size(); i-- != 0;)
+  {
+    if(in(0, 1, random) >= share)
+      continue;
+    const auto [a, b, c] = soup.triangles[i];
+    std::array<double, 3> weights = {in(0.05, 1, random), in(0.05, 1, random), in(0.05, 1, random)};
+    const double sum = weights[0] + weights[1] + weights[2];
+    Point p;
+    for(std::size_t k = 0; k != 3; ++k)
+      p[k] = (weights[0] * soup.points[a][k] + weights[1] * soup.points[b][k] + weights[2] * soup.points[c][k]) / sum;
+    const std::size_t added = soup.points.size();
+    soup.points.push_back(p);
+    soup.triangles[i] = {a, b, added};
+    soup.triangles.push_back({b, c, added});
+    soup.triangles.push_back({c, a, added});
+  }
+  return soup;
+}
+
 // Turned in space, in a unit, with shuffled vertices and faces.
 Triangle_soup moved(Triangle_soup soup, random_meshes::Random& random, double unit)
 {
@@ -128,11 +166,6 @@ Triangle_soup moved(Triangle_soup soup, random_meshes::Random& random, double un
       v = numbers[v];
   random.shuffle(soup.triangles);
   return soup;
-}
-
-double in(double least, double most, random_meshes::Random& random)
-{
-  return least + (most - least) * static_cast<double>(random.below(1001)) / 1000;
 }
 
 typedef Curve_skeleton<Surface_mesh> Skeleton;
@@ -267,6 +300,51 @@ BOOST_AUTO_TEST_CASE(tips_of_blunt_ends_are_in_the_middle)
         sum += out_degree(v, skeleton) == 1 ? skeleton[v].inscribed_radius : 0;
       BOOST_TEST(sum == 0);
       BOOST_TEST(std::abs(mean_of(skeleton, [](const auto& v) { return v.radius; }) / radius - 1) < 0.08);
+    }
+  }
+}
+
+// The ends of bent tubes, too: the line meets the middle of each cap.
+BOOST_AUTO_TEST_CASE(tips_of_bent_tubes_are_in_the_middle)
+{
+  for(std::size_t seed = 0; seed != 20; ++seed)
+  {
+    random_meshes::Random random(seed);
+    const double of_circle = in(3, 8, random), radius = in(0.5, 1.2, random), angle = in(1.6, 5, random);
+    const std::size_t around = 8 + random.below(24), along = 20 + random.below(80);
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(
+        moved(bent_tube(radius, of_circle, angle, around, along), random, 1));
+      const Skeleton skeleton = check_steps(mesh, 0.5);
+      BOOST_TEST(std::abs(length_of(skeleton) - of_circle * angle) < 0.03 * of_circle * angle + 0.15 * radius);
+      for(const auto v : CGAL::make_range(vertices(skeleton)))
+        if(out_degree(v, skeleton) == 1) // Rims are a radius away from the middle.
+        {
+          double nearest = 1e9;
+          for(const auto& p : mesh.points())
+            nearest = std::min(nearest, std::sqrt(CGAL::squared_distance(p, skeleton[v].point)));
+          BOOST_TEST(nearest < 0.2 * radius);
+        }
+    }
+  }
+}
+
+// Vertices on what is flat or round are no ends, however many there are.
+BOOST_AUTO_TEST_CASE(faces_cut_at_random_make_no_ends)
+{
+  for(std::size_t seed = 0; seed != 30; ++seed)
+  {
+    random_meshes::Random random(seed);
+    const double radius = in(0.5, 4, random), length = in(3.5, 15, random) * radius, share = in(0.3, 1, random);
+    const std::size_t around = 8 + 4 * random.below(10), along = 3 + random.below(40), in_caps = random.below(6);
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      const Triangle_soup soup =
+        seed % 3 == 0 ? capsule(radius, length, around, along) : closed_tube(radius, length, around, along, in_caps);
+      Skeleton skeleton;
+      const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(moved(cut(soup, share, random), random, 1));
+      BOOST_TEST(extract_curve_skeleton(mesh, skeleton).number_of_ends == 2u);
     }
   }
 }

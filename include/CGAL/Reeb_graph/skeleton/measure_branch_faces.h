@@ -91,7 +91,9 @@ std::vector<double> volumes_of_face_parts(const FaceListGraph& mesh,
 /// have one tip, the middle of all edges between branches there. Borders of the mesh are filled, each by triangles around its
 /// center. So the branches make the whole: their areas add up to that of the mesh, and their volumes to that of the solid, up to
 /// rounding. What lies in junctions is cut off from the rest of its branch in the same way. Volumes of components that are
-/// inside out are those of the solid, too. A branch that is hardly more than a part of a junction can have a negative volume. It takes \f$ O(n \log n) \f$ time for \f$ n \f$ faces.
+/// inside out are those of the solid, too. No volume is negative. Some faces look at what belongs to another branch, as those of one that
+/// is hardly more than a side of a junction. Their volume is 0, and the branch with which their border is longest has the less. It takes
+/// \f$ O(n \log n) \f$ time for \f$ n \f$ faces.
 ///
 /// \tparam FaceListGraph a model of `FaceListGraph`, with triangles as faces
 /// \tparam FaceArcMap a model of `ReadablePropertyMap` with the face descriptors of the mesh as key type and `std::size_t`

@@ -22,7 +22,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -80,15 +82,81 @@ inline std::vector<Part_triangle> triangles_on_borders(const std::vector<Part_tr
   return result;
 }
 
+// How long the borders between parts are that share edges. `edges` are those of `triangles_on_borders()`.
+template <class Point>
+std::vector<std::map<std::size_t, double>> lengths_of_borders(const std::vector<Part_triangle>& edges,
+                                                              const std::vector<Point>& points,
+                                                              std::size_t number_of_parts)
+{
+  std::vector<std::map<std::size_t, double>> lengths(number_of_parts);
+  for(std::size_t i = 1; i < edges.size(); ++i) // Those of one edge follow each other.
+  {
+    const auto& [v, part] = edges[i - 1];
+    const auto& [w, other] = edges[i];
+    if(part == other || std::minmax(v[0], v[1]) != std::minmax(w[0], w[1]))
+      continue;
+    const double length = distance_between(points[v[0]], points[v[1]]);
+    lengths[part][other] += length;
+    lengths[other][part] += length;
+  }
+  return lengths;
+}
+
+// Takes the volume of each part that would have less than none, seen from the side of the whole, from the part beside it with which
+// its border is longest: the faces of such a part look at what belongs to that.
+inline void take_from_neighbors(std::vector<std::map<std::size_t, double>> borders, std::vector<double>& volumes)
+{
+  const auto number_of_parts = static_cast<Index>(volumes.size());
+  Disjoint_sets<Index> components(number_of_parts);
+  for(Index part = 0; part != number_of_parts; ++part)
+    for(const auto& [other, length] : borders[part])
+      components.unite(part, static_cast<Index>(other));
+  std::vector<double> wholes(volumes.size(), 0);
+  for(Index part = 0; part != number_of_parts; ++part)
+    wholes[components.find(part)] += volumes[part];
+  typedef std::pair<double, std::size_t> Entry; // the volume of a part
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  const auto add = [&](std::size_t part) {
+    const double volume = wholes[components.find(static_cast<Index>(part))] < 0 ? -volumes[part] : volumes[part];
+    if(volume < 0)
+      queue.push({volume, part});
+  };
+  for(std::size_t part = 0; part != volumes.size(); ++part)
+    add(part);
+  while(!queue.empty())
+  {
+    const std::size_t part = queue.top().second;
+    queue.pop();
+    std::map<std::size_t, double> beside = std::exchange(borders[part], {});
+    if(beside.empty()) // It has gone already, or is a whole.
+      continue;
+    const std::size_t other = std::max_element(beside.begin(), beside.end(), [](const auto& a, const auto& b) {
+                                return a.second < b.second;
+                              })->first;
+    for(const auto& [third, length] : beside)
+    {
+      borders[third].erase(part);
+      if(third == other)
+        continue;
+      borders[third][other] += length;
+      borders[other][third] += length;
+    }
+    volumes[other] += std::exchange(volumes[part], 0);
+    add(other);
+  }
+}
+
 // The volume of each part of a solid. A part is bounded by its triangles, and by cones over its border, whose tip is the middle of
 // all edges between parts that are connected there. The same cones, turned, bound the parts beside it, so that the parts
-// make the whole. Volumes are negative where the surface is inside out. The size of the solid is about 1.
+// make the whole; a part that would have less than none takes from another one. Volumes are negative where the surface is
+// inside out. The size of the solid is about 1.
 template <class Point>
 std::vector<double> volumes_of_parts(std::vector<Point> points,
                                      std::vector<Part_triangle> triangles,
                                      std::size_t number_of_parts)
 {
   std::vector<Part_triangle> cones = triangles_on_borders(triangles);
+  auto borders = lengths_of_borders(cones, points, number_of_parts);
   Disjoint_sets<Index> sets(static_cast<Index>(points.size()));
   for(const Part_triangle& cone : cones)
     sets.unite(cone.corners[0], cone.corners[1]);
@@ -118,6 +186,7 @@ std::vector<double> volumes_of_parts(std::vector<Point> points,
     const Point& origin = points[origins[part]];
     volumes[part] += (points[v[0]] - origin) * cross_product(points[v[1]] - origin, points[v[2]] - origin) / 6;
   }
+  take_from_neighbors(std::move(borders), volumes);
   return volumes;
 }
 

@@ -99,7 +99,8 @@ private:
           move_bead(line.beads, i);
   }
 
-  // Moves the tip of a limb that ends bluntly to the middle of its cap, straight on from where the limb is as wide as that.
+  // Moves the tip of a limb that ends bluntly to the middle of its cap, straight on from where the limb is as wide as that. The cap
+  // is seen along the line from two radii away or, where the line bends there, from nearer.
   void move_tip(Numbers& beads, bool is_last)
   {
     if(beads.size() < 3 || beads_[is_last ? beads.back() : beads.front()].depth > 0)
@@ -108,25 +109,29 @@ private:
     if(is_last)
       std::reverse(line.begin(), line.end());
     Bead tip = beads_[line.front()];
-    std::size_t i = 1;
-    while(i + 2 < line.size() && !(distance(beads_[line[i]].point.point, tip.point.point) > 2 * beads_[line[i]].depth))
-      ++i;
-    const Bead& last = beads_[line[i]];
-    const Vector along = last.point.point - beads_[line[i + 1]].point.point;
-    if(!(length(along) > 0))
+    std::size_t farthest = 1;
+    while(farthest + 2 < line.size()
+          && !(distance(beads_[line[farthest]].point.point, tip.point.point) > 2 * beads_[line[farthest]].depth))
+      ++farthest;
+    std::optional<Blunt_end> end;
+    for(std::size_t i = farthest; i != 0 && !(end && end->middle()); --i)
+    {
+      const Bead& from = beads_[line[i]];
+      const Vector along = from.point.point - beads_[line[i + 1]].point.point;
+      if(length(along) > 0)
+        end.emplace(tree_, from.point.point, along / length(along), from.depth);
+    }
+    if(!end || !end->middle())
       return;
-    const Blunt_end end(tree_, last.point.point, along / length(along), last.depth);
-    if(!end.middle())
-      return;
-    tip.point.point = end.middle()->point;
-    tip.vertex = end.middle()->vertex;
-    tip.face = end.middle()->face;
-    std::size_t first = i;
-    while(first > 1 && distance(beads_[line[first - 1]].point.point, tip.point.point) > end.radius())
+    tip.point.point = end->middle()->point;
+    tip.vertex = end->middle()->vertex;
+    tip.face = end->middle()->face;
+    std::size_t first = farthest;
+    while(first > 1 && distance(beads_[line[first - 1]].point.point, tip.point.point) > end->radius())
       --first;
-    while(first <= i && !is_free(beads_[line[first]], tip))
+    while(first <= farthest && !is_free(beads_[line[first]], tip))
       ++first;
-    if(first > i)
+    if(first > farthest)
       return;
     beads_[line.front()] = tip;
     line.erase(line.begin() + 1, line.begin() + static_cast<std::ptrdiff_t>(first));

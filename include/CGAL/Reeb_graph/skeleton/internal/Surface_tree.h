@@ -33,6 +33,7 @@
 #include <limits>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -188,14 +189,24 @@ public:
     return middle ? 2 * distance(p, *middle) : 0;
   }
 
-  // A large ball near a vertex: one that touches the surface straight beneath it, grown away from where it touches.
+  // A large ball near a vertex: one that touches the surface there, and is grown away from where it touches.
   Inner_ball ball_beneath(Mesh::Vertex_index v) const
   {
+    const Point& p = mesh_.point(v);
     const Vector inwards = inward_direction(v);
-    Inner_ball ball = {mesh_.point(v) + depth_beneath(v, inwards) / 2 * inwards, 0};
+    Inner_ball ball = {p + depth_beneath(v, inwards) / 2 * inwards, 0};
     if(!is_inside(ball.center))
       return ball;
-    Point touched = tree_.closest_point(ball.center, mesh_.point(v));
+    auto [touched, face] = closest_place(ball.center);
+    double radius = distance(p, ball.center);
+    // The surface can cross itself at the vertex.
+    while(distance(ball.center, touched) < 0.9 * radius && !has_corner(face, v) && radius > 1e-9 * size_)
+    {
+      const Vector way = touched - p; // The ball becomes one through both (J. Ma and others 2012).
+      radius = way.squared_length() / (2 * (way * inwards));
+      ball.center = p + radius * inwards;
+      std::tie(touched, face) = closest_place(ball.center);
+    }
     ball.radius = distance(ball.center, touched);
     for(double growth = 1; growth > 0.1;)
     {
