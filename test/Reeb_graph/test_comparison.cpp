@@ -195,6 +195,17 @@ BOOST_AUTO_TEST_CASE(tips_are_found_without_a_field)
     BOOST_TEST((pair.tip_a == pair.tip_b));
     BOOST_TEST(std::abs(pair.price) < 1e-9);
   }
+  const auto posed = generated_surfaces::posed_body(2, 25, 4500);
+  auto numbers = own_numbers(posed.parts.size());
+  Random random(3);
+  random.shuffle(numbers);
+  const auto renumbered = match(a, Compared_body(posed, 1e-150, numbers));
+  BOOST_TEST(renumbered.size() == 5u);
+  std::vector<Mesh::Vertex_index> originals(numbers.size());
+  for(const auto v : a.mesh.vertices())
+    originals[numbers[v]] = v;
+  for(const Pair& pair : renumbered) // not of another limb, nor elsewhere on this one
+    BOOST_TEST((a.mesh.point(pair.tip_a) - a.mesh.point(originals[pair.tip_b])).squared_length() < 0.01);
   Mesh two = a.mesh;
   two += b.mesh;
   std::vector<Pair> none;

@@ -49,8 +49,8 @@ struct Tip_pair
 
 namespace internal {
 
-// The tips of a connected mesh, none of another one, and the arcs of the graph of the distance from each: the leaves of the graph of the
-// distance from a vertex far away. Graphs are simplified as is suggested.
+// The tips of a connected mesh, none of another one, and the arcs of the graph of the distance from each: the leaves of
+// the graph of the distance from an end of a long way. Graphs are simplified as is suggested.
 template <class Mesh>
 class Tips_of_mesh
 {
@@ -63,7 +63,7 @@ public:
     find_far_apart_vertices(mesh, std::back_inserter(far_apart));
     if(far_apart.size() != 1)
       return;
-    tips_.push_back(far_apart.front().first);
+    tips_.push_back(find_end(far_apart.front().first));
     see_from(0);
     for(std::size_t i = 1; i < tips_.size(); ++i)
       see_from(i);
@@ -73,11 +73,44 @@ public:
   const std::vector<Compared_arc>& arcs_seen_from(std::size_t tip) const { return arcs_[tip]; }
 
 private:
+  typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<double>>::const_type Distance_map;
+
+  Distance_map distance_from(Vertex source) const
+  {
+    const Distance_map distance = get(dynamic_vertex_property_t<double>(), mesh_);
+    compute_geodesic_field(mesh_, distance, std::array<Vertex, 1>{source});
+    return distance;
+  }
+
+  // Goes to the farthest vertex until the way leads back, and returns the one of both ends that is farther from all
+  // vertices. So it hardly depends on where it begins.
+  Vertex find_end(Vertex v) const
+  {
+    constexpr int most_steps = 16;
+    Vertex last = v;
+    double last_sum = 0;
+    for(int step = 0; step != most_steps; ++step)
+    {
+      const Distance_map distance = distance_from(v);
+      Vertex farthest = v;
+      double sum = 0;
+      for(const Vertex u : CGAL::make_range(vertices(mesh_)))
+      {
+        sum += get(distance, u);
+        if(get(distance, farthest) < get(distance, u))
+          farthest = u;
+      }
+      if(farthest == last)
+        return last_sum < sum ? v : last;
+      last_sum = sum;
+      last = std::exchange(v, farthest);
+    }
+    return v;
+  }
+
   void see_from(std::size_t i)
   {
-    const auto distance = get(dynamic_vertex_property_t<double>(), mesh_);
-    typedef std::decay_t<decltype(distance)> Distance_map;
-    compute_geodesic_field(mesh_, distance, std::array<Vertex, 1>{tips_[i]});
+    const Distance_map distance = distance_from(tips_[i]);
     typename Reeb_graph_traits<Mesh, Distance_map>::Graph given, graph;
     compute_reeb_graph(mesh_, distance, given);
     std::vector<Simplification_threshold> thresholds;
@@ -106,13 +139,13 @@ private:
 /// \brief finds which tips of two meshes stand for the same place, as the heads of two bodies, without any field.
 ///
 /// Distances from such tips are fields that mean the same on both meshes, as `match_arcs()` needs. The tips of a mesh are
-/// where the Reeb graph of the distance from a vertex far away has leaves, once it is simplified by the threshold that
-/// `simplification_thresholds()` suggests. Each tip of the one mesh is taken as a source with each of the other one, and
-/// the arcs of their two graphs are matched. Then tips are assigned to each other, one to one, so that the sum of the
-/// prices of all these matchings is least: two that are alike by chance cost more at the other tips.
+/// where the Reeb graph of the distance from an end of a long way through it has leaves, once it is simplified by the
+/// threshold that `simplification_thresholds()` suggests. Each tip of the one mesh is taken as a source with each of the
+/// other one, and the arcs of their two graphs are matched. Then tips are assigned to each other, one to one, so that the
+/// sum of the prices of all these matchings is least: two that are alike by chance cost more at the other tips.
 ///
-/// There is no promise that tips are the right ones; tips that are alike, as those of a left and a right arm, are not told
-/// apart. Nothing depends on units. Which vertex at the end of a limb its tip is can depend on the order of vertices.
+/// There is no promise that tips are the right ones. Tips that are alike, as those of a left and a right arm, are not told
+/// apart. Nothing depends on units; the order of vertices decides only where distances are nearly the same.
 ///
 /// With \f$ t \f$ tips, it takes the time of \f$ t \f$ geodesic fields and graphs of each mesh, and of \f$ t^2 \f$
 /// matchings.
