@@ -266,19 +266,6 @@ Tubes tube_with_branch(double lean)
 }
 } // namespace
 
-// A trunk is as wide beside a branch as elsewhere, wherever its points are.
-BOOST_AUTO_TEST_CASE(radii_of_a_trunk_beside_a_branch)
-{
-  const auto mesh = make_mesh<Surface_mesh>(tube_samples::surface(tube_with_branch(0)));
-  Curve_skeleton<Surface_mesh> skeleton;
-  extract_curve_skeleton(mesh, skeleton, CGAL::parameters::sampling_ratio(0.05));
-  for(const auto& arc : skeleton_arcs(skeleton))
-    for(const auto v : arc)
-      if(std::max(skeleton[arc.front()].point.x(), skeleton[arc.back()].point.x()) < 20
-         && std::abs(skeleton[v].point.z()) < 30)
-        BOOST_TEST(std::abs(skeleton[v].radius - 10) <= 0.3);
-}
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(thin_branches_of_wide_tubes, Mesh, Meshes)
 {
   for(const double lean : {0., 20.})

@@ -77,29 +77,21 @@ private:
     return beads;
   }
 
-  // In the ball inscribed at a junction, contours are those of several tubes: the radius there goes from that of the widest line,
-  // where that leaves the ball, to that of each line where it does.
-  struct Ball
-  {
-    Point center;
-    double size, radius, radius_outside;
-  };
-
+  // The radius at a junction is the mean of those of its lines where they leave the ball inscribed there.
   void measure_junctions()
   {
-    std::map<Index, double> widest; // by node
+    std::map<Index, std::vector<double>> radii;
     for(Index chain = 0; chain != beads_.size(); ++chain)
       for(const bool is_last : {false, true})
-      {
-        radii_outside_.push_back(0);
-        if(beads_[chain].empty() || end(chain, is_last).kind != Line_end::JUNCTION)
-          continue;
-        radii_outside_.back() = radius_beside(chain, is_last);
-        double& radius = widest[lines_.ends()[chain][is_last ? 1 : 0]];
-        radius = (std::max)(radius, radii_outside_.back());
-      }
-    for(const auto& [node, radius] : widest)
-      lines_.nodes().at(node).point.radius = radius;
+        if(!beads_[chain].empty() && end(chain, is_last).kind == Line_end::JUNCTION)
+          radii[lines_.ends()[chain][is_last ? 1 : 0]].push_back(radius_beside(chain, is_last));
+    for(const auto& [node, found] : radii)
+    {
+      double sum = 0;
+      for(const double radius : found)
+        sum += radius / static_cast<double>(found.size());
+      lines_.nodes().at(node).point.radius = sum;
+    }
   }
 
   double radius_beside(Index chain, bool is_last) const
@@ -128,16 +120,9 @@ private:
     return std::clamp(t, 0., 1.);
   }
 
-  // Takes the radius of the contour in the plane across the line, but in junctions. Where that is not one across a tube, what it
-  // is stays.
+  // Takes the radius of the contour in the plane across the line. Where that is not one across a tube, what it is stays.
   void measure(const Vector& along, Line_point& p) const
   {
-    for(const Ball& ball : balls_)
-      if(const double share = distance(ball.center, p.point) / ball.size; share < 1)
-      {
-        p.radius = (1 - share) * ball.radius + share * ball.radius_outside;
-        return;
-      }
     const double size = length(along);
     if(!(size > 0))
       return;
@@ -160,11 +145,6 @@ private:
 
   void sample(Index chain)
   {
-    balls_.clear();
-    for(const bool is_last : {false, true})
-      if(const Skeleton_lines::Node& node = end(chain, is_last); node.kind == Line_end::JUNCTION)
-        balls_.push_back({node.point.point, (is_last ? beads_[chain].back() : beads_[chain].front()).depth,
-                          node.point.radius, radii_outside_[2 * chain + (is_last ? 1 : 0)]});
     Beads beads = spacing_ > 0 ? at_equal_steps(chain) : thinned(beads_[chain]);
     for(const bool is_last : {false, true})
       (is_last ? beads.back() : beads.front()).point.radius = end(chain, is_last).point.radius;
@@ -287,9 +267,7 @@ private:
   const Graph_chains& chains_;
   Skeleton_lines& lines_;
   const double spacing_;
-  std::vector<Beads> beads_;          // of each line, from node to node
-  std::vector<double> radii_outside_; // of each end of a line
-  std::vector<Ball> balls_;           // of the line that is sampled
+  std::vector<Beads> beads_; // of each line, from node to node
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton
