@@ -33,8 +33,8 @@ class Skeleton:
         The point that stands for each vertex of the mesh, -1 for those without triangles.
     counts : dict from str to int
         Components, genus, arcs, ends, junctions, loops and hidden handles, and what certifies the lines: vertices outside
-        of the surface, edges that cross it, loops that can be pulled to a point inside, and components that intersect
-        themselves, or are inside out.
+        of the surface, edges that cross it, loops that can be pulled to a point inside, the index of what loops generate
+        (1 if they are a basis), and components that intersect themselves, or are inside out.
     branches : dict from str to arrays with a number for each arc
         Its `component`, `parent` (-1 at a root), `from` and `to`, `length`, `tortuosity` (NaN if it is closed),
         `strahler`, `radius` and `inscribed_radius` as means by length, `least_radius`, `greatest_radius`, `volume` and

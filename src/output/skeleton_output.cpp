@@ -380,6 +380,8 @@ void write_text(std::ostream& out, const Skeleton_report& report)
       << count(known.number_of_crossing_edges, "crossing edge") << ", "
       << count(known.number_of_contractible_loops, "contractible loop") << ", "
       << count(known.number_of_crossing_components, "self-intersecting component") << '\n';
+  if(known.loop_index != 1)
+    out << "loops     no basis: they generate a part of index " << known.loop_index << '\n';
   const Skeleton_numbers numbers = numbers_of(report.skeleton);
   out << "cable     length " << numbers.cable_length << ", " << count(known.number_of_arcs, "branch", "branches");
   if(numbers.mean_tortuosity)
@@ -429,6 +431,7 @@ void write_json(std::ostream& out, const Skeleton_report& report)
   json["loops"] = known.number_of_loops;
   json["hidden_handles"] = known.number_of_hidden_handles;
   json["contractible_loops"] = known.number_of_contractible_loops;
+  json["loop_index"] = known.loop_index;
   json["vertices_outside"] = known.number_of_vertices_outside;
   json["crossing_edges"] = known.number_of_crossing_edges;
   json["self_intersecting"] = known.number_of_crossing_components != 0;

@@ -56,6 +56,19 @@ Input noisy_torus(std::size_t number_of_vertices)
 
 typedef std::array<double, 3> Position;
 
+// A square grid with noise of ten edges.
+Input noisy_terrain(std::size_t number_of_vertices)
+{
+  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(number_of_vertices)));
+  random_meshes::Random random(side);
+  Input input = {"terrain of noise", {}, {}};
+  input.soup = generated_surfaces::internal::grid(side, side, false, false, [&](std::size_t i, std::size_t k) {
+    return Position{static_cast<double>(i), static_cast<double>(k), static_cast<double>(random.below(10001)) / 1000};
+  });
+  input.values = tilted_height(input.soup);
+  return input;
+}
+
 // A cylinder with few rings, and with lids that are fans of triangles around one vertex: in the middle, or on the rim.
 Input cylinder_with_lids(std::size_t number_of_vertices, bool is_hub_on_rim)
 {
@@ -138,6 +151,8 @@ void measure_skeletons(Table& table)
       cylinder_with_lids(100, is_hub_on_rim).name,
       at_three_sizes<Subject>(3000, [=](std::size_t size) { return cylinder_with_lids(size, is_hub_on_rim); }),
       of_distances);
+  of_distances.largest_exponent = 1.4; // 2.6 for twice as many
+  table.measure("terrain of noise", at_three_sizes<Subject>(500, noisy_terrain), of_distances);
   of_distances.largest_exponent = 1.5; // Contours of all branches would take 2.7.
   table.measure("torus, 15 % noise", at_three_sizes<Subject>(9000, noisy_torus), of_distances);
   const std::size_t n = 3000, number_of_inputs = all_inputs(100).size();

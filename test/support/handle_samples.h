@@ -12,7 +12,9 @@
 #include "generated_surfaces.h"
 #include "generated_surfaces/implicit_surface.h"
 #include "mesh_builders.h"
+#include "random_meshes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -113,6 +115,30 @@ inline Triangle_soup gyroid(double radius, double cell_size)
   const double side = radius + 2 * cell_size;
   return generated_surfaces::internal::Marching_tetrahedra(function, {-side, -side, -side}, {side, side, side},
                                                            cell_size)
+    .take_surface();
+}
+
+// A block less balls at random places.
+inline Triangle_soup sponge(std::size_t number_of_balls, double side, std::size_t seed)
+{
+  random_meshes::Random random(seed);
+  std::vector<std::array<double, 4>> balls(number_of_balls); // centers and radii
+  for(auto& ball : balls)
+  {
+    for(std::size_t i = 0; i != 3; ++i)
+      ball[i] = side * static_cast<double>(random.below(1000)) / 1000;
+    ball[3] = 2 + static_cast<double>(random.below(1000)) / 500;
+  }
+  const auto function = [&](const Vector& p) {
+    double value = -side;
+    for(const double x : p)
+      value = std::max({value, x - side, -x});
+    for(const auto& [x, y, z, radius] : balls)
+      value = std::max(value, radius - std::sqrt(dot(sum(p, -1, {x, y, z}), sum(p, -1, {x, y, z}))));
+    return value;
+  };
+  return generated_surfaces::internal::Marching_tetrahedra(function, {-1.6, -1.6, -1.6}, {side + 2, side + 2, side + 2},
+                                                           1)
     .take_surface();
 }
 

@@ -152,6 +152,7 @@ void add_component(const Reading& reading,
   certificate.genus += part.genus;
   certificate.number_of_hidden_handles += part.genus - part.number_of_loops;
   certificate.number_of_contractible_loops += part.number_of_contractible_loops;
+  certificate.loop_index *= part.loop_index;
   certificate.number_of_vertices_outside += part.number_outside;
   certificate.number_of_crossing_edges += part.number_of_crossings;
   certificate.number_of_crossing_components += part.is_self_intersecting ? 1 : 0;
@@ -171,13 +172,13 @@ void add_component(const Reading& reading,
 /// handles, less those that are hidden in multi-saddles, which are counted.
 ///
 /// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. Loops are led
-/// along the surface where they would not wind around a hole, by linking numbers with curves on it. At last, lines are moved
-/// to where the sum of length by distance from the surface is least, with a price on bends. Junctions nearer to each other
+/// along the surface where they would be no basis of the loops inside, by linking numbers with curves on it. At last, lines are
+/// moved to where the sum of length by distance from the surface is least, with a price on bends. Junctions nearer to each other
 /// than the surface are joined, and lines within a quarter of that from where they part. Tips of limbs that end bluntly go
 /// to the middle of their caps. Each step is taken only if the surface does not meet what it sweeps; edges that cross a
 /// component that intersects itself stay. So no vertex is
-/// outside, no edge crosses a component that does not intersect itself, and no loop can be pulled to a point there. What
-/// remains on others, or where the numbers of the points end, is counted.
+/// outside, no edge crosses a component that does not intersect itself, and loops are a basis there. What remains on others, or
+/// where the numbers of the points end, or no lines that follow the surface are a basis, is counted.
 /// Where a border passes a point twice, as at both sides of a slit, it is closed there, and what is left on one line is no end.
 /// The order of vertices does not matter if no two are at the same place, and neither does a unit that is a power of two.
 /// Each component is looked at without the others. In balls and flat parts, which have no axis, a line is one of many.

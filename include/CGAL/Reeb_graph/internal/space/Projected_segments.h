@@ -18,8 +18,12 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -53,7 +57,7 @@ public:
   // The sign of the crossing of `a` over `b`: 0 if they do not cross, or if `a` is below.
   int crossing_over(const Segment& a, const Segment& b) const
   {
-    return decide([&](auto zero) { return crossing_over<decltype(zero)>(a, b); });
+    return may_cross(a, b) ? decide([&](auto zero) { return crossing_over<decltype(zero)>(a, b); }) : 0;
   }
 
   // The sign of det(a[1] - a[0], b - a[0], c - a[0]) for vertices.
@@ -102,6 +106,26 @@ private:
   struct Undecided
   {
   };
+
+  // Whether rounded numbers leave open that two segments cross: those of most pairs of boxes do not.
+  bool may_cross(const Segment& a, const Segment& b) const
+  {
+    double size = 0;
+    std::array<std::array<double, 2>, 4> seen;
+    for(std::size_t i = 0; i != seen.size(); ++i)
+    {
+      const Vector<double> p = point<double>(i < 2 ? a[i] : b[i - 2]);
+      seen[i] = {p.x() - direction_[0] / direction_[2] * p.z(), p.y() - direction_[1] / direction_[2] * p.z()};
+      size = (std::max)({size, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+    }
+    const double error = 256 * std::numeric_limits<double>::epsilon() * size * size;
+    const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return (seen[j][0] - seen[i][0]) * (seen[k][1] - seen[i][1])
+           - (seen[j][1] - seen[i][1]) * (seen[k][0] - seen[i][0]);
+    };
+    const auto are_beside = [&](double p, double q) { return (p > error && q > error) || (p < -error && q < -error); };
+    return !are_beside(turn(0, 1, 2), turn(0, 1, 3)) && !are_beside(turn(2, 3, 0), turn(2, 3, 1));
+  }
 
   template <class Predicate>
   static int decide(const Predicate& predicate)

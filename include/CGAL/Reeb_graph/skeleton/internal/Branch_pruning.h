@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
@@ -39,12 +40,14 @@ public:
                  const Surface_tree& tree,
                  double ratio,
                  bool are_values_distances,
-                 const std::vector<bool>& is_border)
+                 const std::vector<bool>& is_border,
+                 const Stage_progress& progress)
     : graph_(graph),
       tree_(tree),
       ratio_(ratio),
       are_values_distances_(are_values_distances),
       is_border_(is_border),
+      progress_(progress),
       is_alive_(graph.number_of_arcs(), true),
       degrees_(graph.number_of_nodes()),
       redirections_(graph.number_of_nodes(), no_index),
@@ -124,8 +127,10 @@ private:
 
   void run()
   {
-    while(!queue_.empty())
+    const std::size_t number_of_tips = queue_.size();
+    for(std::size_t step = 0; !queue_.empty(); ++step)
     {
+      progress_.report_step(step, number_of_tips);
       const Index tip = queue_.top().second;
       queue_.pop();
       const Index end = branches_[tip].end;
@@ -297,7 +302,8 @@ private:
   const double ratio_;
   const bool are_values_distances_;
   const std::vector<bool>& is_border_; // by node, whether it is an end by force
-  std::vector<bool> is_alive_;         // by arc
+  const Stage_progress progress_;
+  std::vector<bool> is_alive_; // by arc
   std::vector<Index> degrees_;
   std::vector<Index> redirections_;         // of nodes that have gone
   std::vector<Branch> branches_;            // of tips

@@ -448,7 +448,7 @@ struct Component_skeleton
   std::vector<Index> vertex_map;        // of the given vertices of the component
   std::size_t number_of_ends = 0, number_of_border_ends = 0, number_of_junctions = 0;
   std::size_t number_outside = 0, number_of_crossings = 0, number_of_contractible_loops = 0;
-  std::size_t genus = 0, number_of_loops = 0; // loops of the Reeb graph
+  std::size_t genus = 0, number_of_loops = 0, loop_index = 1; // loops of the Reeb graph
   bool is_self_intersecting = false;
 };
 

@@ -12,14 +12,13 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Loop_linking.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Surface_ways.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,12 +35,15 @@ public:
                const Surface_tree& tree,
                Skeleton_lines& lines,
                double sampling_ratio,
-               bool is_self_intersecting)
+               bool is_self_intersecting,
+               const Stage_progress& progress)
     : graph_(graph),
       chains_(chains),
       tree_(tree),
+      ways_(tree),
       lines_(lines),
       sampling_ratio_(sampling_ratio),
+      progress_(progress),
       loops_(lines.ends())
   {
     for(auto& [index, node] : lines.nodes())
@@ -49,6 +51,7 @@ public:
         bring_inside(node.point);
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
     {
+      progress.part(0, 0.5).report_step(chain, lines.lines().size());
       Skeleton_lines::Line& line = lines.lines()[chain];
       Skeleton_lines::Line inside;
       for(Line_point& point : line)
@@ -57,39 +60,30 @@ public:
       line = std::move(inside);
       refine(chain);
     }
-    let_loops_wind(is_self_intersecting);
+    if(!loops_.cycles().empty())
+      let_loops_wind(is_self_intersecting);
   }
 
   // Measures how far the lines are from the surface, and counts what is wrong with them, as they are now.
-  void certify()
+  void certify(const Stage_progress& progress)
   {
     for(auto& [index, node] : lines_.nodes())
       if(node.kind != Line_end::TIP)
         measure(node.point, node.kind == Line_end::JUNCTION);
-    for(Skeleton_lines::Line& line : lines_.lines())
-      for(Line_point& point : line)
-        measure(point, true);
     for(Index line = 0; line != lines_.lines().size(); ++line)
+    {
+      progress.report_step(line, lines_.lines().size());
+      for(Line_point& point : lines_.lines()[line])
+        measure(point, true);
       for(std::size_t i = 0; i <= lines_.lines()[line].size() && !lines_.has_gone(line); ++i)
         number_of_crossings_ += tree_.is_crossed(lines_.place(line, i), lines_.place(line, i + 1)) ? 1 : 0;
-    if(loops_.cycles().empty())
-      return;
-    std::vector<std::array<Index, 2>> ends;
-    std::vector<std::vector<Point>> lines;
-    for(Index line = 0; line != lines_.lines().size(); ++line)
-      if(!lines_.has_gone(line))
-      {
-        ends.push_back(lines_.ends()[line]);
-        lines.push_back(polyline(line));
-      }
-    const Loop_linking loops(ends);
-    number_of_contractible_loops_ = Loop_linking::number_of_dependent(loops.linking_numbers(lines, polygons_));
+    }
   }
 
   std::size_t number_outside() const { return number_outside_; }
   std::size_t number_of_crossings() const { return number_of_crossings_; }
-  // The loops that can be pulled to a point in the solid, or depend on others there.
-  std::size_t number_of_contractible_loops() const { return number_of_contractible_loops_; }
+  // What the loops generate: lines that are moved later never pass the surface.
+  const Loop_group& loop_group() const { return loop_group_; }
 
 private:
   struct Place
@@ -129,108 +123,117 @@ private:
     return place;
   }
 
-  // Looks whether loops wind around the holes of the surface, and leads those that do not along it, nearer to it where that is
-  // needed. Chains on loops that meet those are led so, too, as all ends are moved. A loop of the graph can be one around
-  // which contours wind, as in a thick pipe that fronts pass around before they pass along: then it goes around one of them.
+  typedef std::vector<std::vector<Point>> Ways; // by chain
+  typedef std::vector<Row> Rows;
+
+  // Looks whether the loops are a basis of those of the solid. If not, lines that wind otherwise than the surface does along their
+  // chains are led as that leads, which can wind as contours do, where there is less wrong with loops then.
   void let_loops_wind(bool is_self_intersecting)
   {
-    if(loops_.cycles().empty())
+    for(const Index chain : loops_.closing_chains())
+      curves_.add(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
+    const Ways lines = polylines();
+    Rows of_lines = count(lines);
+    loop_group_ = loops_.group(of_lines);
+    if(loop_group_.is_whole())
       return;
     const Loop_tracing tracing(graph_, chains_, tree_);
-    for(const Index chain : loops_.closing_chains())
-      polygons_.push_back(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
-    const auto rows = loops_.linking_numbers(polylines(), polygons_);
-    if(loops_.number_of_dependent(rows) == 0)
+    add_curves_along_cycles(tracing);
+    of_lines = count(lines);
+    loop_group_ = loops_.group(of_lines);
+    if(loop_group_.is_whole())
       return;
-    std::vector<bool> is_bad = loops_.chains_of_bad_cycles(rows), is_wound(is_bad.size(), false);
-    for(const Loop_linking::Cycle& cycle : loops_.cycles())
-      polygons_.push_back(tracing.curve(cycle));
-    const auto count = [&](double share) {
-      trace_all(tracing, is_bad, is_wound, share);
-      return loops_.number_of_dependent(loops_.linking_numbers(polylines(), polygons_));
-    };
-    const double least_share = 1e-6;
-    const auto nodes_before = lines_.nodes();
-    const auto lines_before = lines_.lines();
-    if(count(1) == 0)
+    Ways ways = lines;
+    lead(tracing, loops_.chains_on_cycles(), std::vector<int>(ways.size(), 0), ways);
+    Rows of_ways = count(ways);
+    if(!is_self_intersecting && !loops_.group(of_ways).is_whole())
+      wind_ways(tracing, ways, of_ways);
+    const Loop_group group = loops_.group(of_ways);
+    if(!(group < loop_group_))
       return;
-    if(is_self_intersecting)
-    {
-      lines_.nodes() = nodes_before;
-      lines_.lines() = lines_before;
-      return;
-    }
-    std::size_t least = count(least_share);
-    // All lines are traced in each trial: there are few where there are many handles.
-    std::size_t trials = 200 / loops_.cycles().size();
-    for(Index chain = 0; chain != is_bad.size() && least != 0 && trials != 0; ++chain)
+    loop_group_ = group;
+    for(Index chain = 0; chain != ways.size(); ++chain)
+      if(of_ways[chain] != of_lines[chain])
+      {
+        lines_.lines()[chain].clear();
+        add_way(ways[chain], place_of_end(chain, false), place_of_end(chain, true), lines_.lines()[chain]);
+      }
+  }
+
+  // Together with the contours, these curves are a basis of all on the surface.
+  void add_curves_along_cycles(const Loop_tracing& tracing)
+  {
+    for(Index chain = 0; chain != chains_.chains().size(); ++chain)
     {
       if(!loops_.is_on_cycle(chain))
         continue;
-      --trials;
-      is_bad = loops_.chains_on_cycles();
-      is_wound[chain] = true;
-      const std::size_t number = count(least_share);
-      is_wound[chain] = number < least;
-      least = (std::min)(number, least);
+      curves_.polygons.push_back(tracing.curve(chain));
+      curves_.curves_of.push_back(loops_.cycles_of(chain));
+      for(auto& [curve, direction] : curves_.curves_of.back())
+        curve += static_cast<Index>(loops_.cycles().size());
     }
-    double share = 1;
-    while(count(share) > least && share > least_share)
-      share /= 100;
   }
 
-  void trace_all(const Loop_tracing& tracing,
-                 const std::vector<bool>& is_bad,
-                 const std::vector<bool>& is_wound,
-                 double share)
+  // Lets ways wind around the contours of closing chains, too. A loop of the graph can be one around which contours wind, as in a
+  // thick pipe that fronts pass around before they pass along: then it goes around one of them.
+  void wind_ways(const Loop_tracing& tracing, Ways& ways, Rows& rows) const
   {
-    for(Index chain = 0; chain != is_bad.size(); ++chain)
-      if(is_bad[chain])
-        for(const Index end : chains_.chains()[chain].ends)
-        {
-          Line_point& point = lines_.nodes().at(end).point;
-          point.on_surface = graph_.point(end);
-          point.point = tree_.place_beneath(tracing.face_of(end), share);
-        }
-    for(Index chain = 0; chain != is_bad.size(); ++chain)
-      if(is_bad[chain])
-        trace(chain, tracing.path(chain, is_wound[chain]), share);
-      else
-        refine(chain);
-  }
-
-  std::vector<std::vector<Point>> polylines() const
-  {
-    std::vector<std::vector<Point>> result;
-    for(Index chain = 0; chain != chains_.chains().size(); ++chain)
-      result.push_back(polyline(chain));
-    return result;
-  }
-
-  std::vector<Point> polyline(Index line) const
-  {
-    std::vector<Point> result;
-    for(std::size_t i = 0; i != lines_.lines()[line].size() + 2; ++i)
-      result.push_back(lines_.place(line, i).point);
-    return result;
-  }
-
-  void trace(Index chain, const Loop_tracing::Path& path, double share)
-  {
-    const std::vector<Point> way = tree_.way_along(path.begin, path.steps, share, sampling_ratio_);
-    if(way.empty())
-      return refine(chain);
-    std::vector<double> lengths = {0};
-    for(std::size_t i = 1; i != way.size(); ++i)
-      lengths.push_back(lengths.back() + distance(way[i - 1], way[i]));
-    Skeleton_lines::Line& line = lines_.lines()[chain];
-    line.clear();
-    for(std::size_t i = 1; i + 1 < way.size(); ++i)
+    std::vector<int> windings(ways.size(), 0);
+    for(const Index chain : loops_.closing_chains())
+      windings[chain] = 1;
+    Ways wound(ways.size());
+    lead(tracing, loops_.closing_chains(), windings, wound);
+    const Rows of_wound = count(wound);
+    Rows added(loops_.cycles().size());
+    for(std::size_t cycle = 0; cycle != added.size(); ++cycle)
+      if(const Index chain = loops_.closing_chains()[cycle]; !wound[chain].empty())
+      {
+        added[cycle] = of_wound[chain];
+        add_multiple(added[cycle], rows[chain], -1);
+      }
+    const Winding_choice choice(loops_.linking_numbers(rows), added);
+    for(std::size_t cycle = 0; cycle != added.size(); ++cycle)
     {
-      Line_point point = lines_.make_point(chain, chains_.chains()[chain].length * lengths[i] / lengths.back());
-      point.point = way[i];
-      line.push_back(point);
+      const Index chain = loops_.closing_chains()[cycle];
+      windings[chain] = choice.windings()[cycle];
+      if(windings[chain] != 0 && windings[chain] != 1)
+      {
+        wound[chain].clear();
+        lead(tracing, {chain}, windings, wound);
+      }
+      if(windings[chain] == 0 || wound[chain].empty())
+        continue;
+      ways[chain] = std::move(wound[chain]);
+      add_multiple(rows[chain], added[cycle], windings[chain]);
     }
+  }
+
+  // Sets the ways of some chains as the surface leads, where there are such.
+  void lead(const Loop_tracing& tracing,
+            const std::vector<Index>& chains,
+            const std::vector<int>& windings,
+            Ways& ways) const
+  {
+    for(std::size_t i = 0; i != chains.size(); ++i)
+    {
+      const Index chain = chains[i];
+      progress_.part(0.6, 0.8).report_step(i, chains.size());
+      auto way = ways_.way_along(place_of_end(chain, false).surface_place(), place_of_end(chain, true).surface_place(),
+                                 tracing.path(chain, windings[chain]), sampling_ratio_);
+      if(!way.empty())
+        ways[chain] = std::move(way);
+    }
+  }
+
+  Rows count(const Ways& ways) const { return loops_.crossings(ways, curves_, progress_.part(0.5, 1)); }
+
+  Ways polylines() const
+  {
+    Ways result(lines_.lines().size());
+    for(Index line = 0; line != result.size(); ++line)
+      for(std::size_t i = 0; i != lines_.lines()[line].size() + 2; ++i)
+        result[line].push_back(lines_.place(line, i).point);
+    return result;
   }
 
   void refine(Index chain)
@@ -266,7 +269,12 @@ private:
         return;
       }
     }
-    const std::vector<Point> way = tree_.way_beneath(a.surface_place(), b.surface_place());
+    add_way(ways_.way_beneath(a.surface_place(), b.surface_place()), a, b, line);
+  }
+
+  // Adds the points of a way between two places.
+  static void add_way(const std::vector<Point>& way, const Place& a, const Place& b, std::vector<Line_point>& line)
+  {
     for(std::size_t i = 1; i + 1 < way.size(); ++i)
     {
       const double t = static_cast<double>(i) / static_cast<double>(way.size() - 1);
@@ -280,11 +288,14 @@ private:
   const Sampled_graph& graph_;
   const Graph_chains& chains_;
   const Surface_tree& tree_;
+  const Surface_ways ways_;
   Skeleton_lines& lines_;
   const double sampling_ratio_;
+  const Stage_progress progress_;
   const Loop_linking loops_;
-  std::vector<Loop_linking::Line> polygons_; // around which loops are to wind
-  std::size_t number_outside_ = 0, number_of_crossings_ = 0, number_of_contractible_loops_ = 0;
+  Surface_curves curves_; // around which loops are to wind
+  Loop_group loop_group_{{}};
+  std::size_t number_outside_ = 0, number_of_crossings_ = 0;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

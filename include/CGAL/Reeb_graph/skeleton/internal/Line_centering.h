@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Bead_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Blunt_end.h>
 
@@ -32,23 +33,25 @@ public:
                  const Graph_chains& chains,
                  const Surface_tree& tree,
                  Skeleton_lines& lines,
-                 double smooth)
+                 double smooth,
+                 const Stage_progress& progress)
     : Bead_lines(chains, tree, lines, smooth)
   {
-    run();
+    run(progress);
     write(lines, graph.number_of_nodes());
   }
 
 private:
   // Every few rounds, lines get other points, and those that run together are joined, until all of them rest.
-  void run()
+  void run(const Stage_progress& progress)
   {
     bool is_any_moving = true;
     for(int turn = 0; turn != most_turns && is_any_moving; ++turn)
     {
-      rearrange();
+      const Stage_progress part = progress.part(1. * turn / most_turns, (turn + 1.) / most_turns);
+      rearrange(part.part(0, 0.2));
       for(int round = 0; round != rounds_between; ++round)
-        move_all();
+        move_all(part.part(0.2, 1));
       is_any_moving = false;
       for(Line& line : lines_)
       {
@@ -73,30 +76,38 @@ private:
     }
   }
 
-  void rearrange()
+  void rearrange(const Stage_progress& progress)
   {
     let_go();
-    for(Line& line : lines_)
+    for(std::size_t i = 0; i != lines_.size(); ++i)
+    {
+      progress.report_step(i, lines_.size());
+      Line& line = lines_[i];
       if(!line.is_resting && !line.is_fixed)
       {
         resample(line);
         leave_out_folds_and_tops(line.beads);
       }
+    }
     find_ends();
     join_lines();
     for(Bead& bead : beads_)
       bead.way = 0;
   }
 
-  void move_all()
+  void move_all(const Stage_progress& progress)
   {
     for(const auto& [node, ends] : ends_of_nodes_)
       if(!beads_[node].is_on_surface() && !is_outside(node) && !beads_[node].is_settled)
         move_node(node);
+    std::size_t number = 0;
     for(const Line& line : lines_)
       for(std::size_t i = 1; i + 1 < line.beads.size() && !line.is_fixed && !line.is_resting; ++i)
         if(!beads_[line.beads[i]].is_settled)
+        {
+          progress.report_step(number++, beads_.size());
           move_bead(line.beads, i);
+        }
   }
 
   // Moves the tip of a limb that ends bluntly to the middle of its cap, straight on from where the limb is as wide as that. The cap

@@ -34,7 +34,11 @@ class Line_sampling : Bead_ways
 {
 public:
   // Steps of 0 are as the radii ask for.
-  Line_sampling(const Graph_chains& chains, const Surface_tree& tree, Skeleton_lines& lines, double spacing)
+  Line_sampling(const Graph_chains& chains,
+                const Surface_tree& tree,
+                Skeleton_lines& lines,
+                double spacing,
+                const Stage_progress& progress)
     : Bead_ways(tree),
       chains_(chains),
       lines_(lines),
@@ -44,8 +48,11 @@ public:
       beads_.push_back(lines.has_gone(chain) ? Beads() : beads_of(chain));
     measure_junctions();
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
+    {
+      progress.report_step(chain, lines.lines().size());
       if(!lines.has_gone(chain))
         sample(chain);
+    }
   }
 
 private:

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
@@ -71,7 +72,8 @@ public:
                  const Graph_chains& chains,
                  const Filled_component& component,
                  const Skeleton_options& options,
-                 bool are_values_distances)
+                 bool are_values_distances,
+                 const Stage_progress& progress)
     : graph_(graph),
       chains_(chains),
       ratio_(options.sampling_ratio),
@@ -89,6 +91,7 @@ public:
       nodes_[node] = make_node(node, degree, component);
     for(Index chain = 0; chain != chains.chains().size(); ++chain)
     {
+      progress.report_step(chain, chains.chains().size());
       lines_.push_back(sample_chain(chain));
       line_ends_.push_back(chains.chains()[chain].ends);
     }
@@ -169,13 +172,16 @@ public:
 
   // The tips, as nodes of the graph, that hardly protrude from a ball in which a line of another chain passes the center:
   // the last places that fronts reach that meet in a tube have no limb of their own.
-  std::vector<Index> covered_tips(const Surface_tree& tree, double ratio) const
+  std::vector<Index> covered_tips(const Surface_tree& tree, double ratio, const Stage_progress& progress) const
   {
     std::vector<Index> tips;
     for(Index chain = 0; chain != lines_.size(); ++chain)
+    {
+      progress.report_step(chain, lines_.size());
       for(const Index end : chains_.chains()[chain].ends)
         if(nodes_.at(end).kind == Line_end::TIP && lines_.size() > 1 && is_covered(tree, end, chain, ratio))
           tips.push_back(end);
+    }
     return tips;
   }
 

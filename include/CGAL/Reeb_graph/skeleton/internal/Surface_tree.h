@@ -32,9 +32,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <queue>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -100,6 +98,8 @@ public:
     const auto h = mesh_.halfedge(f);
     return {mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)), mesh_.point(mesh_.target(mesh_.next(h)))};
   }
+
+  double size() const { return size_; } // of the bounding box
 
   // Of length 1, or the null vector if the face has no area.
   Vector inward_normal(Mesh::Face_index f) const
@@ -248,70 +248,10 @@ public:
     return std::nullopt;
   }
 
-  // A way from a place to another one that does not cross the surface: beneath its faces, as close as need be, with
-  // shortcuts. It is empty if there is none.
-  std::vector<Point> way_beneath(const Surface_place& from, const Surface_place& to) const
+  Point center(Mesh::Face_index f) const
   {
-    if(!has_area())
-      return {};
-    std::vector<Sunk_place> way = {{from, NULL_VECTOR, 0}};
-    const Mesh::Face_index begin = add_foot(from, way);
-    std::vector<Sunk_place> end = {{to, NULL_VECTOR, 0}};
-    const Mesh::Face_index last = add_foot(to, end);
-    add_path(begin, path_of_faces(begin, last), 1, way);
-    way.insert(way.end(), end.rbegin(), end.rend());
-    return raise_until_free(way) ? shortened(way) : std::vector<Point>();
-  }
-
-  // A way from beneath a face to beneath another one along a path of faces, in `share` of the depth that it could have. Points
-  // nearer to each other than a share of that are left out if the surface is not met by the triangles that the way then
-  // sweeps. It is empty if there is none.
-  std::vector<Point> way_along(Mesh::Face_index begin,
-                               const std::vector<Mesh::Halfedge_index>& path,
-                               double share,
-                               double ratio) const
-  {
-    std::vector<Sunk_place> way;
-    add_path(begin, path, share, way);
-    if(way.empty())
-      return {};
-    way.insert(way.begin(), way.front());
-    way.push_back(way.back());
-    way.front().inwards = way.back().inwards = NULL_VECTOR; // They stay.
-    if(!raise_until_free(way))
-      return {};
-    std::vector<Point> result = {way.front().place.point};
-    for(std::size_t i = 1; i + 1 < way.size(); ++i)
-    {
-      const Point &next = way[i + 1].place.point, &p = way[i].place.point;
-      if(distance(result.back(), next) > ratio * way[i].depth || is_met_by_triangle(result.back(), p, next))
-        result.push_back(p);
-    }
-    result.push_back(way.back().place.point);
-    return result;
-  }
-
-  // A place beneath a face, in such a depth.
-  Point place_beneath(Mesh::Face_index f, double share) const
-  {
-    std::vector<Sunk_place> way;
-    add_path(f, {}, share, way);
-    return way.empty() ? center(f) : way.front().place.point;
-  }
-
-  // The largest face at a vertex.
-  Mesh::Face_index face_at(Mesh::Vertex_index v) const
-  {
-    Mesh::Face_index largest = mesh_.face(mesh_.halfedge(v));
-    const auto first = mesh_.halfedge(v);
-    auto h = first;
-    do
-    {
-      if(area(mesh_.face(h)) > area(largest))
-        largest = mesh_.face(h);
-      h = mesh_.opposite(mesh_.next(h));
-    } while(h != first);
-    return largest;
+    const auto [a, b, c] = corners(f);
+    return CGAL::centroid(a, b, c);
   }
 
   // The place where a ray from inside meets the surface first, and the face there; none at an edge.
@@ -341,6 +281,33 @@ public:
       return p != q && tree_.do_intersect(Kernel::Segment_3(p, q));
     };
     return is_met(a, b) || is_met(b, c) || is_met(c, a);
+  }
+
+  // Whether a face other than these meets a triangle. One that is a segment is met by none.
+  bool is_met_by_triangle(const Point& a,
+                          const Point& b,
+                          const Point& c,
+                          const std::array<Mesh::Face_index, 4>& own) const
+  {
+    Meeting_of_others others(*this, own);
+    if(!collinear(a, b, c))
+      tree_.traversal(Kernel::Triangle_3(a, b, c), others);
+    return others.is_met();
+  }
+
+  // How far the surface without two faces is from a point in a direction, at most `reach`.
+  double clearance(const Point& p,
+                   const Vector& direction,
+                   const std::array<Mesh::Face_index, 2>& own,
+                   double reach) const
+  {
+    const auto add = [&](Mesh::Face_index f) {
+      if(const double depth = depth_of(f, p, direction); f != own[0] && f != own[1] && depth > 0)
+        reach = (std::min)(reach, depth);
+    };
+    tree_.all_intersected_primitives(Kernel::Segment_3(p, p + reach * direction),
+                                     boost::make_function_output_iterator(std::cref(add)));
+    return reach;
   }
 
 private:
@@ -409,12 +376,36 @@ private:
     bool is_odd_ = false, is_on_surface_ = false;
   };
 
-  // A place of a way, which can be brought nearer to the surface.
-  struct Sunk_place
+  // Whether a face other than some meets a triangle, found as a tree is descended.
+  class Meeting_of_others
   {
-    Surface_place place;
-    Vector inwards; // of length 1, or null if the place is to stay
-    double depth;
+  public:
+    Meeting_of_others(const Surface_tree& surface, const std::array<Mesh::Face_index, 4>& own)
+      : surface_(surface),
+        own_(own)
+    {}
+
+    bool is_met() const { return is_met_; }
+    bool go_further() const { return !is_met_; }
+
+    template <class Node>
+    bool do_intersect(const Kernel::Triangle_3& triangle, const Node& node) const
+    {
+      return do_overlap(triangle.bbox(), node.bbox());
+    }
+
+    void intersection(const Kernel::Triangle_3& triangle, const Primitive& primitive)
+    {
+      if(std::find(own_.begin(), own_.end(), primitive.id()) != own_.end())
+        return;
+      const auto [a, b, c] = surface_.corners(primitive.id());
+      is_met_ = is_met_ || CGAL::do_intersect(triangle, Kernel::Triangle_3(a, b, c));
+    }
+
+  private:
+    const Surface_tree& surface_;
+    const std::array<Mesh::Face_index, 4> own_;
+    bool is_met_ = false;
   };
 
   bool has_corner(Mesh::Face_index f, Mesh::Vertex_index v) const
@@ -439,18 +430,6 @@ private:
     const auto h = mesh_.halfedge(f);
     return component.is_apex(mesh_.source(h)) || component.is_apex(mesh_.target(h))
         || component.is_apex(mesh_.target(mesh_.next(h)));
-  }
-
-  Point center(Mesh::Face_index f) const
-  {
-    const auto [a, b, c] = corners(f);
-    return CGAL::centroid(a, b, c);
-  }
-
-  double area(Mesh::Face_index f) const
-  {
-    const auto [a, b, c] = corners(f);
-    return length(cross_product(b - a, c - a)) / 2;
   }
 
   // How far along a line of unit direction the plane of a face is.
@@ -486,150 +465,6 @@ private:
         return middle;
     }
     return std::nullopt;
-  }
-
-  // In the middle between a point of the surface and what is seen from there.
-  Sunk_place sunk(const Point& p, const Vector& inwards, Mesh::Face_index f, Mesh::Face_index g) const
-  {
-    const auto middle = middle_of_chord(p, inwards, [&](auto face) { return face == f || face == g; });
-    const double depth = middle ? distance(p, *middle) : 1e-6 * size_;
-    return {{p + depth * inwards, std::nullopt}, inwards, depth};
-  }
-
-  // Places beneath the centers of faces and the edges between them.
-  void add_path(Mesh::Face_index begin,
-                const std::vector<Mesh::Halfedge_index>& path,
-                double share,
-                std::vector<Sunk_place>& way) const
-  {
-    const auto add = [&](const Point& p, const Vector& inwards, Mesh::Face_index f, Mesh::Face_index g) {
-      const double size = length(inwards);
-      if(!(size > 0))
-        return; // Faces without area have no side.
-      Sunk_place added = sunk(p, inwards / size, f, g);
-      added.place.point = p + share * (added.place.point - p);
-      added.depth *= share;
-      way.push_back(added);
-    };
-    add(center(begin), inward_normal(begin), begin, begin);
-    for(const auto h : path)
-    {
-      const Mesh::Face_index f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
-      add(CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))),
-          inward_normal(f) + inward_normal(g), f, g);
-      add(center(g), inward_normal(g), g, g);
-    }
-  }
-
-  // A face at a place, and, if that is inside, on a way to it a point on a ray to the face.
-  Mesh::Face_index add_foot(const Surface_place& from, std::vector<Sunk_place>& way) const
-  {
-    if(from.vertex)
-      return mesh_.face(mesh_.halfedge(*from.vertex));
-    const auto [foot, f] = seen_foot(from.point);
-    const double height = distance(foot, from.point);
-    if(height > 0)
-      way.push_back({from, (from.point - foot) / height, height});
-    return f;
-  }
-
-  // A place on the surface that is seen from a point, and its face. That of the closest point can be hidden if this is at
-  // a corner, behind other faces there: then another one that is near, or any one.
-  std::pair<Point, Mesh::Face_index> seen_foot(const Point& p) const
-  {
-    const auto closest = closest_place(p);
-    std::vector<Vector> rays;
-    for(double t = 0.5; t > 1e-3; t /= 2)
-      rays.push_back(closest.first + t * (center(closest.second) - closest.first) - p);
-    for(int i = 0; i != 27; ++i)
-      rays.push_back(Vector(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
-    for(const Vector& ray : rays)
-      if(const auto seen = first_seen(p, ray))
-        return *seen;
-    return closest;
-  }
-
-  // Brings the ends of segments that cross the surface nearer to it until none does: faces that share an edge hide nothing
-  // from each other right beneath them.
-  bool raise_until_free(std::vector<Sunk_place>& way) const
-  {
-    const int number_of_turns = 24;
-    for(int turn = 0; turn != number_of_turns; ++turn)
-    {
-      std::vector<bool> is_bad(way.size(), false);
-      for(std::size_t i = 0; i + 1 < way.size(); ++i)
-        if(is_crossed(way[i].place, way[i + 1].place))
-          is_bad[i] = is_bad[i + 1] = true;
-      if(std::find(is_bad.begin(), is_bad.end(), true) == is_bad.end())
-        return true;
-      for(std::size_t i = 0; i != way.size(); ++i)
-        if(is_bad[i])
-        {
-          const double rise = 0.75 * way[i].depth;
-          way[i].place.point = way[i].place.point - rise * way[i].inwards;
-          way[i].depth -= rise;
-        }
-    }
-    return false;
-  }
-
-  // Leaves points out as long as nothing is crossed.
-  std::vector<Point> shortened(const std::vector<Sunk_place>& way) const
-  {
-    const auto is_free = [&](std::size_t i, std::size_t j) { return !is_crossed(way[i].place, way[j].place); };
-    std::vector<Point> result = {way.front().place.point};
-    for(std::size_t i = 0; i + 1 < way.size();)
-    {
-      std::size_t j = i + 1;
-      for(std::size_t step = 2; i + step < way.size() && is_free(i, i + step);
-          step = (std::min)(2 * step, way.size() - 1 - i))
-      {
-        j = i + step;
-        if(j + 1 == way.size())
-          break;
-      }
-      while(j + 1 < way.size() && is_free(i, j + 1))
-        ++j;
-      result.push_back(way[j].place.point);
-      i = j;
-    }
-    return result;
-  }
-
-  // The halfedges through which a short path of faces leads, along the centers: each of the face that it leaves.
-  std::vector<Mesh::Halfedge_index> path_of_faces(Mesh::Face_index from, Mesh::Face_index to) const
-  {
-    struct Reached
-    {
-      double distance;
-      Mesh::Halfedge_index through;
-    };
-    typedef std::pair<double, Mesh::Face_index> Entry;
-    std::unordered_map<std::size_t, Reached> reached = {{from.idx(), {0, Mesh::null_halfedge()}}};
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    queue.push({distance(center(from), center(to)), from});
-    while(!queue.empty() && queue.top().second != to)
-    {
-      const auto f = queue.top().second;
-      queue.pop();
-      const double so_far = reached.at(f.idx()).distance;
-      auto h = mesh_.halfedge(f);
-      for(int i = 0; i != 3; ++i, h = mesh_.next(h))
-      {
-        const auto g = mesh_.face(mesh_.opposite(h));
-        const double next = so_far + distance(center(f), center(g));
-        const auto found = reached.find(g.idx());
-        if(found != reached.end() && !(next < found->second.distance))
-          continue;
-        reached[g.idx()] = {next, h};
-        queue.push({next + distance(center(g), center(to)), g});
-      }
-    }
-    std::vector<Mesh::Halfedge_index> path;
-    for(auto f = to; f != from; f = mesh_.face(path.back()))
-      path.push_back(reached.at(f.idx()).through);
-    std::reverse(path.begin(), path.end());
-    return path;
   }
 
   const Mesh& mesh_;

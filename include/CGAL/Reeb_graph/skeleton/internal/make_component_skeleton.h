@@ -148,13 +148,14 @@ inline void remove_covered_tips(const Sampled_graph& graph,
                                 const Surface_tree& tree,
                                 const Filled_component& component,
                                 const Skeleton_options& options,
-                                Branch_pruning& pruning)
+                                Branch_pruning& pruning,
+                                const Stage_progress& progress)
 {
   while(options.pruning_ratio > 0)
   {
     const Graph_chains chains(graph, pruning);
-    const Skeleton_lines lines(graph, chains, component, options, component.values.empty());
-    const std::vector<Index> tips = lines.covered_tips(tree, options.pruning_ratio);
+    const Skeleton_lines lines(graph, chains, component, options, component.values.empty(), progress.part(0, 0.7));
+    const std::vector<Index> tips = lines.covered_tips(tree, options.pruning_ratio, progress.part(0.7, 1));
     if(tips.empty())
       return;
     pruning.remove_all(tips);
@@ -185,35 +186,35 @@ Component_skeleton make_component_skeleton(Component component,
 {
   const Mesh& mesh = component.mesh;
   Component_skeleton result;
-  result.is_self_intersecting = does_self_intersect(mesh, progress.part(0, 0.2));
+  result.is_self_intersecting = does_self_intersect(mesh, progress.part(0, 0.05));
   const bool are_distances = component.values.empty();
   const Field field = component.mesh.template add_property_map<Mesh::Vertex_index, double>("v:value", 0).first;
   if(are_distances)
-    write_distances(component, options.are_borders_ends, field, progress.part(0.2, 0.6));
+    write_distances(component, options.are_borders_ends, field, progress.part(0.05, 0.15));
   else
     write_values(component, options.are_borders_ends, field);
-  const Sampled_graph graph(mesh, field, progress.part(0.6, 0.7));
+  const Sampled_graph graph(mesh, field, progress.part(0.15, 0.2));
   const std::size_t edges_less_vertices = mesh.num_edges() - mesh.num_vertices();
   result.genus = (2 + edges_less_vertices - mesh.num_faces()) / 2;
   result.number_of_loops = std::size_t(graph.number_of_arcs()) + 1 - graph.number_of_nodes();
   const Surface_tree tree(component, options.are_borders_ends);
-  progress(0.9);
   std::vector<bool> is_border(graph.number_of_nodes(), false);
   for(Index node = 0; node != graph.number_of_nodes(); ++node)
     is_border[node] = options.are_borders_ends && component.is_apex(graph.vertex(node));
-  Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, is_border);
-  progress(0.95);
-  remove_covered_tips(graph, tree, component, options, pruning);
+  Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, is_border, progress.part(0.2, 0.3));
+  remove_covered_tips(graph, tree, component, options, pruning, progress.part(0.3, 0.4));
   Graph_chains chains(graph, pruning);
-  Skeleton_lines lines(graph, chains, component, options, are_distances);
-  Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio, result.is_self_intersecting);
+  Skeleton_lines lines(graph, chains, component, options, are_distances, progress.part(0.4, 0.45));
+  Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio, result.is_self_intersecting,
+                      progress.part(0.45, 0.6));
   if(options.smooth > 0 && tree.has_area())
-    const Line_centering centering(graph, chains, tree, lines, options.smooth);
+    const Line_centering centering(graph, chains, tree, lines, options.smooth, progress.part(0.6, 0.9));
   if(tree.has_area())
-    const Line_sampling sampling(chains, tree, lines, spacing_of(component, options));
+    const Line_sampling sampling(chains, tree, lines, spacing_of(component, options), progress.part(0.9, 0.97));
   lines.join_nodes_at_one_point();
-  inside.certify();
-  result.number_of_contractible_loops = inside.number_of_contractible_loops();
+  inside.certify(progress.part(0.97, 1));
+  result.number_of_contractible_loops = inside.loop_group().number_of_dependent;
+  result.loop_index = static_cast<std::size_t>(inside.loop_group().index);
   result.number_outside = inside.number_outside();
   result.number_of_crossings = inside.number_of_crossings();
   const Skeleton_writing writing(component, chains, lines, result);

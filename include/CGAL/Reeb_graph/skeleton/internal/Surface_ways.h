@@ -1,0 +1,263 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SKELETON_INTERNAL_SURFACE_WAYS_H
+#define CGAL_REEB_GRAPH_SKELETON_INTERNAL_SURFACE_WAYS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal::skeleton {
+
+// A path of faces, by the first one and the halfedges through which faces are left.
+struct Face_path
+{
+  Mesh::Face_index begin;
+  std::vector<Mesh::Halfedge_index> steps;
+
+  Mesh::Face_index end(const Mesh& mesh) const
+  {
+    return steps.empty() ? begin : mesh.face(mesh.opposite(steps.back()));
+  }
+
+  Face_path reversed(const Mesh& mesh) const
+  {
+    Face_path result = {end(mesh), {}};
+    for(auto h = steps.rbegin(); h != steps.rend(); ++h)
+      result.steps.push_back(mesh.opposite(*h));
+    return result;
+  }
+};
+
+// Finds ways inside of a surface right beneath its faces, as close to them as need be.
+class Surface_ways
+{
+public:
+  explicit Surface_ways(const Surface_tree& tree) : tree_(tree), mesh_(tree.mesh()) {}
+
+  // A way from a place to another one that does not cross the surface: beneath its faces, as close as need be, with
+  // shortcuts. It is empty if there is none.
+  std::vector<Point> way_beneath(const Surface_place& from, const Surface_place& to) const
+  {
+    if(!tree_.has_area())
+      return {};
+    std::vector<Sunk_place> way = {{from}}, end = {{to}};
+    const Mesh::Face_index begin = add_foot(from, way);
+    add_path(path_of_faces(begin, add_foot(to, end)), way);
+    way.insert(way.end(), end.rbegin(), end.rend());
+    return raise_until_free(way, false) ? shortened(way) : std::vector<Point>();
+  }
+
+  // A way from a place to another one along a path of faces, to which it can be brought without meeting the surface. Points nearer
+  // to each other than a share of the depth are left out if the surface does not meet the triangles that the way then sweeps. It
+  // is empty if there is none.
+  std::vector<Point> way_along(const Surface_place& from,
+                               const Surface_place& to,
+                               const Face_path& path,
+                               double ratio) const
+  {
+    if(!tree_.has_area())
+      return {};
+    std::vector<Sunk_place> way = {{from}}, end = {{to}};
+    const Face_path there = path_of_faces(add_foot(from, way), path.begin);
+    const Face_path back = path_of_faces(add_foot(to, end), path.end(mesh_)).reversed(mesh_);
+    Face_path whole = there;
+    for(const Face_path* part : {&path, &back})
+      whole.steps.insert(whole.steps.end(), part->steps.begin(), part->steps.end());
+    add_path(whole, way);
+    way.insert(way.end(), end.rbegin(), end.rend());
+    if(!raise_until_free(way, true))
+      return {};
+    std::vector<Point> result = {way.front().place.point};
+    for(std::size_t i = 1; i + 1 < way.size(); ++i)
+    {
+      const Point &next = way[i + 1].place.point, &p = way[i].place.point;
+      if(distance(result.back(), next) > ratio * way[i].depth || tree_.is_met_by_triangle(result.back(), p, next))
+        result.push_back(p);
+    }
+    result.push_back(way.back().place.point);
+    return result;
+  }
+
+private:
+  // A place of a way, which can be brought nearer to where it has been on the surface, on an edge or in a face.
+  struct Sunk_place
+  {
+    Surface_place place;
+    Vector inwards = NULL_VECTOR; // of length 1, or null if the place is to stay
+    double depth = 0;
+    Point foot = ORIGIN;
+    std::array<Mesh::Face_index, 2> faces = {}; // none if the place is to stay
+  };
+
+  // Whether the surface meets what is between two places of a way and the faces that they are beneath: those are in the same
+  // face, and what is beneath two faces at an edge meets none of them.
+  bool is_met_between(const Sunk_place& a, const Sunk_place& b) const
+  {
+    const std::array<Mesh::Face_index, 4> own = {a.faces[0], a.faces[1], b.faces[0], b.faces[1]};
+    return a.faces[0].is_valid() && b.faces[0].is_valid()
+        && (tree_.is_met_by_triangle(a.foot, a.place.point, b.place.point, own)
+            || tree_.is_met_by_triangle(a.foot, b.foot, b.place.point, own));
+  }
+
+  // Places beneath the centers of faces and the edges between them, no deeper than in the middle between the centers and what is
+  // seen from there, and not much deeper than the place before.
+  void add_path(const Face_path& path, std::vector<Sunk_place>& way) const
+  {
+    double depth = 0;
+    const auto add = [&](const Point& p, const Vector& inwards, Mesh::Face_index f, Mesh::Face_index g) {
+      const double size = length(inwards);
+      if(!(size > 0))
+        return; // Faces without area have no side.
+      const Vector down = inwards / size;
+      if(f == g || !(depth > 0))
+        depth = tree_.clearance(p, down, {f, g}, 4 * (depth > 0 ? depth : tree_.size())) / 2;
+      way.push_back({{p + depth * down}, down, depth, p, {f, g}});
+    };
+    add(tree_.center(path.begin), tree_.inward_normal(path.begin), path.begin, path.begin);
+    for(const auto h : path.steps)
+    {
+      const Mesh::Face_index f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
+      add(CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))),
+          tree_.inward_normal(f) + tree_.inward_normal(g), f, g);
+      add(tree_.center(g), tree_.inward_normal(g), g, g);
+    }
+  }
+
+  // A face at a place, and, if that is inside, on a way to it a point on a ray to the face.
+  Mesh::Face_index add_foot(const Surface_place& from, std::vector<Sunk_place>& way) const
+  {
+    if(from.vertex)
+      return mesh_.face(mesh_.halfedge(*from.vertex));
+    const auto [foot, f] = seen_foot(from.point);
+    const double height = distance(foot, from.point);
+    if(height > 0)
+      way.push_back({{from.point}, (from.point - foot) / height, height, foot, {f, f}});
+    return f;
+  }
+
+  // A place on the surface that is seen from a point, and its face. That of the closest point can be hidden if this is at
+  // a corner, behind other faces there: then another one that is near, or any one.
+  std::pair<Point, Mesh::Face_index> seen_foot(const Point& p) const
+  {
+    const auto closest = tree_.closest_place(p);
+    std::vector<Vector> rays;
+    for(double t = 0.5; t > 1e-3; t /= 2)
+      rays.push_back(closest.first + t * (tree_.center(closest.second) - closest.first) - p);
+    for(int i = 0; i != 27; ++i)
+      rays.push_back(Vector(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+    for(const Vector& ray : rays)
+      if(const auto seen = tree_.first_seen(p, ray))
+        return *seen;
+    return closest;
+  }
+
+  // Brings the ends of segments that cross the surface nearer to it until none does, and, if that is asked, until nothing is
+  // between the way and its faces: those that share an edge hide nothing from each other right beneath them.
+  bool raise_until_free(std::vector<Sunk_place>& way, bool is_swept) const
+  {
+    const int number_of_turns = 24;
+    std::vector<bool> has_moved(way.size(), true);
+    for(int turn = 0; turn != number_of_turns; ++turn)
+    {
+      std::vector<bool> is_bad(way.size(), false);
+      for(std::size_t i = 0; i + 1 < way.size(); ++i)
+        if((has_moved[i] || has_moved[i + 1])
+           && (tree_.is_crossed(way[i].place, way[i + 1].place) || (is_swept && is_met_between(way[i], way[i + 1]))))
+          is_bad[i] = is_bad[i + 1] = true;
+      if(std::find(is_bad.begin(), is_bad.end(), true) == is_bad.end())
+        return true;
+      for(std::size_t i = 0; i != way.size(); ++i)
+        if(is_bad[i])
+        {
+          const double rise = 0.75 * way[i].depth;
+          way[i].place.point = way[i].place.point - rise * way[i].inwards;
+          way[i].depth -= rise;
+        }
+      has_moved = std::move(is_bad);
+    }
+    return false;
+  }
+
+  // Leaves points out as long as nothing is crossed.
+  std::vector<Point> shortened(const std::vector<Sunk_place>& way) const
+  {
+    const auto is_free = [&](std::size_t i, std::size_t j) { return !tree_.is_crossed(way[i].place, way[j].place); };
+    std::vector<Point> result = {way.front().place.point};
+    for(std::size_t i = 0; i + 1 < way.size();)
+    {
+      std::size_t j = i + 1;
+      for(std::size_t step = 2; i + step < way.size() && is_free(i, i + step);
+          step = (std::min)(2 * step, way.size() - 1 - i))
+      {
+        j = i + step;
+        if(j + 1 == way.size())
+          break;
+      }
+      while(j + 1 < way.size() && is_free(i, j + 1))
+        ++j;
+      result.push_back(way[j].place.point);
+      i = j;
+    }
+    return result;
+  }
+
+  // A short path of faces, along the centers.
+  Face_path path_of_faces(Mesh::Face_index from, Mesh::Face_index to) const
+  {
+    struct Reached
+    {
+      double distance;
+      Mesh::Halfedge_index through;
+    };
+    typedef std::pair<double, Mesh::Face_index> Entry;
+    std::unordered_map<std::size_t, Reached> reached = {{from.idx(), {0, Mesh::null_halfedge()}}};
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    queue.push({distance(tree_.center(from), tree_.center(to)), from});
+    while(!queue.empty() && queue.top().second != to)
+    {
+      const auto f = queue.top().second;
+      queue.pop();
+      const double so_far = reached.at(f.idx()).distance;
+      auto h = mesh_.halfedge(f);
+      for(int i = 0; i != 3; ++i, h = mesh_.next(h))
+      {
+        const auto g = mesh_.face(mesh_.opposite(h));
+        const double next = so_far + distance(tree_.center(f), tree_.center(g));
+        const auto found = reached.find(g.idx());
+        if(found != reached.end() && !(next < found->second.distance))
+          continue;
+        reached[g.idx()] = {next, h};
+        queue.push({next + distance(tree_.center(g), tree_.center(to)), g});
+      }
+    }
+    Face_path path = {from, {}};
+    for(auto f = to; f != from; f = mesh_.face(path.steps.back()))
+      path.steps.push_back(reached.at(f.idx()).through);
+    std::reverse(path.steps.begin(), path.steps.end());
+    return path;
+  }
+
+  const Surface_tree& tree_;
+  const Mesh& mesh_;
+};
+
+} // namespace CGAL::Reeb_graph::internal::skeleton
+
+#endif // CGAL_REEB_GRAPH_SKELETON_INTERNAL_SURFACE_WAYS_H
