@@ -532,10 +532,12 @@ std::vector<double> smooth_field(const Surface_mesh& mesh)
   return values;
 }
 
-bool is_sweep_faster(const Surface_mesh& mesh, const std::vector<double>& values)
+typedef stages::Way_of_turning Way;
+
+Way fastest_way(const Surface_mesh& mesh, const std::vector<double>& values)
 {
   const stages::Indexed_vector<stages::Vertex_index, double> indexed_values(values.begin(), values.end());
-  return stages::is_sweep_faster(Complex(mesh), Order(indexed_values));
+  return stages::fastest_way(Complex(mesh), Order(indexed_values));
 }
 
 std::multiset<std::pair<double, double>> values_of_arcs(const Surface_mesh& mesh, const std::vector<double>& values)
@@ -548,7 +550,7 @@ std::multiset<std::pair<double, double>> values_of_arcs(const Surface_mesh& mesh
 }
 } // namespace
 
-// The sweep is made on smooth fields, where neighbors are far from each other in memory, which takes a large mesh.
+// Stars are fetched ahead where neighbors are far from each other in memory, which takes a large mesh.
 BOOST_AUTO_TEST_CASE(a_mesh_in_bad_order_has_the_graph_of_the_ordered_one)
 {
   auto soup = generated_surfaces::closed_surface(3, 36000);
@@ -557,9 +559,9 @@ BOOST_AUTO_TEST_CASE(a_mesh_in_bad_order_has_the_graph_of_the_ordered_one)
   generated_surfaces::shuffle(soup, random);
   auto mesh = make_mesh<Surface_mesh>(soup);
   const auto ordered_values = smooth_field(ordered_mesh), values = smooth_field(mesh);
-  BOOST_TEST(!is_sweep_faster(ordered_mesh, ordered_values));
-  BOOST_TEST(is_sweep_faster(mesh, values));
-  BOOST_TEST(!is_sweep_faster(mesh, noise(mesh, 1)));
+  BOOST_TEST((fastest_way(ordered_mesh, ordered_values) == Way::ONE_BY_ONE));
+  BOOST_TEST((fastest_way(mesh, values) == Way::STARS_AHEAD));
+  BOOST_TEST((fastest_way(mesh, noise(mesh, 1)) == Way::STARS_AHEAD));
   const auto arcs = values_of_arcs(ordered_mesh, ordered_values);
   BOOST_TEST(arcs.size() > 10u);
   BOOST_TEST((values_of_arcs(mesh, values) == arcs));
@@ -578,7 +580,8 @@ BOOST_AUTO_TEST_CASE(a_mesh_in_bad_order_has_the_graph_of_the_ordered_one)
   BOOST_CHECK_THROW(graph_checks::compute(mesh, values), CGAL::Reeb_graph::Non_triangular_face_error);
 }
 
-// Neighbors are near each other in memory, but vertices in a row are not, as where they have been sorted.
+// Neighbors are near each other in memory, but vertices in a row are not, as where they have been sorted. There, the sweep
+// is made on smooth fields.
 BOOST_AUTO_TEST_CASE(a_mesh_with_vertices_and_faces_in_two_orders_has_the_graph_of_the_ordered_one)
 {
   auto soup = generated_surfaces::closed_surface(3, 36000);
@@ -595,8 +598,8 @@ BOOST_AUTO_TEST_CASE(a_mesh_with_vertices_and_faces_in_two_orders_has_the_graph_
   generated_surfaces::renumber(soup, new_numbers);
   const auto mesh = make_mesh<Surface_mesh>(soup);
   const auto values = smooth_field(mesh);
-  BOOST_TEST(is_sweep_faster(mesh, values));
-  BOOST_TEST(!is_sweep_faster(mesh, noise(mesh, 1)));
+  BOOST_TEST((fastest_way(mesh, values) == Way::BEHIND_SWEEP));
+  BOOST_TEST((fastest_way(mesh, noise(mesh, 1)) == Way::STARS_AHEAD));
   BOOST_TEST((values_of_arcs(mesh, values) == values_of_arcs(ordered_mesh, smooth_field(ordered_mesh))));
 }
 

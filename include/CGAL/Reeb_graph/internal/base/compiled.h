@@ -29,7 +29,8 @@ enum class Tuned_part
   PREFETCH,
   KEPT_NEIGHBORS,
   BRANCHLESS_ORDER,
-  TRIANGLE_SWEEP
+  TRIANGLE_SWEEP,
+  STARS_AHEAD
 };
 
 #ifdef CGAL_REEB_GRAPH_LEFT_OUT
@@ -49,6 +50,14 @@ inline void prefetch(const void* address)
     __builtin_prefetch(address);
 #else
   static_cast<void>(address);
+#endif
+}
+
+// Has g++ keep a function that does nothing but fetch: it takes it to have no effect, and leaves out calls of it.
+inline void keep_fetching()
+{
+#ifdef __GNUC__
+  __asm__ volatile("");
 #endif
 }
 

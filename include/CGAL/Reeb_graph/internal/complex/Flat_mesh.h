@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
+#include <CGAL/Reeb_graph/internal/complex/Stars_ahead.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -58,23 +59,27 @@ Flat_values<FaceListGraph, Scalar> keep_flat(
 }
 
 // Sets the fans of all vertices, and checks the complex. Vertices that are known to be regular need no turn.
-template <class ConcurrencyTag, class Complex>
+template <class ConcurrencyTag, class Complex, class Order>
 Complex check_complex(Unchecked_complex<Complex> unchecked,
-                      const Regular_vertices<ConcurrencyTag>& regular_vertices = Regular_vertices<ConcurrencyTag>())
+                      const Order& order,
+                      Way_of_turning way,
+                      const Regular_vertices<ConcurrencyTag>& regular_vertices)
 {
+  const Stars_ahead stars(unchecked.at_set_fans(), order, way == Way_of_turning::STARS_AHEAD);
+  const auto vertex_at = [](std::size_t i) { return Vertex_index(i); };
   const auto set_fans = [&](std::size_t begin, std::size_t end, Fan_counts& counts) {
     No_visitor_of_fan visitor;
-    for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
-    {
+    stars.visit(begin, end, vertex_at, [&](std::size_t i) {
+      const Vertex_index v(i);
       const Index number_of_corners = regular_vertices.number_of_corners(v);
       if(number_of_corners == 0)
       {
         unchecked.set_fan(v, counts, visitor);
-        continue;
+        return;
       }
       unchecked.set_closed_fan(v);
       counts.corners += number_of_corners;
-    }
+    });
   };
   return std::move(unchecked).check(sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans));
 }
@@ -84,8 +89,10 @@ template <class FaceListGraph>
 std::shared_ptr<const Flat_mesh<FaceListGraph>> make_flat_mesh(const FaceListGraph& mesh)
 {
   auto [complex, numbers] = number_mesh(mesh, Vertex_list<FaceListGraph>(mesh), parameters::default_values());
-  return std::make_shared<const Flat_mesh<FaceListGraph>>(
-    Flat_mesh<FaceListGraph>{check_complex<Sequential_tag>(std::move(complex)), std::move(numbers)});
+  const No_order order;
+  const Way_of_turning way = fastest_way(complex.at_set_fans(), order);
+  return std::make_shared<const Flat_mesh<FaceListGraph>>(Flat_mesh<FaceListGraph>{
+    check_complex(std::move(complex), order, way, Regular_vertices<Sequential_tag>()), std::move(numbers)});
 }
 
 // Throws what compute_reeb_graph() throws for a mesh that has no Reeb graph.
@@ -103,10 +110,11 @@ Flat_values<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph&
                                                             const NamedParameters& np)
 {
   auto [unchecked, numbers, field] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
-  const auto regular_vertices =
-    find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), Vertex_order(field.keys()));
-  return keep_flat<FaceListGraph, typename Traits::Scalar>(
-    {check_complex(std::move(unchecked), regular_vertices), std::move(numbers), std::move(field)});
+  const Vertex_order order(field.keys());
+  const Way_of_turning way = fastest_way(unchecked.at_set_fans(), order);
+  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order, way);
+  auto complex = check_complex(std::move(unchecked), order, way, regular_vertices);
+  return keep_flat<FaceListGraph, typename Traits::Scalar>({std::move(complex), std::move(numbers), std::move(field)});
 }
 
 // Shares the flat values; those of a Flat_field are there already.

@@ -36,9 +36,9 @@ struct Sampled_turns
 };
 
 // Adds a turn, and the pages on which its halfedges are. Returns its length. Nothing has been checked yet.
-template <class Complex>
+template <class Complex, class Order>
 std::size_t sample_turn(const Complex& complex,
-                        const Vertex_order& order,
+                        const Order& order,
                         Vertex_index vertex,
                         Sampled_turns& sample,
                         Plain_vector<Index>& pages)
@@ -72,11 +72,16 @@ std::size_t sample_turn(const Complex& complex,
   return length;
 }
 
-template <class Complex>
-Sampled_turns sample_turns(const Complex& complex, const Vertex_order& order)
+// Samples no turns if the mesh is small.
+template <class Complex, class Order>
+Sampled_turns sample_turns(const Complex& complex, const Order& order)
 {
   constexpr std::size_t number_of_rows = 16, vertices_per_row = 32;
+  constexpr std::size_t smallest_number_of_edges = 100000; // Fewer ones are in the caches.
   Sampled_turns sample;
+  if(complex.number_of_edges() < smallest_number_of_edges
+     || complex.number_of_vertices() < smallest_number_of_edges / 4)
+    return sample;
   Plain_vector<Index> pages;
   for(std::size_t row = 0; row != number_of_rows; ++row)
   {
@@ -95,18 +100,30 @@ Sampled_turns sample_turns(const Complex& complex, const Vertex_order& order)
   return sample;
 }
 
-// Whether a sweep finds vertices to be regular faster than turns around them. It does if it finds nearly all, and turns
-// wait: for memory, as each step is known only when the last one has come, or as the processor cannot foresee where they
-// end. The bounds have been measured.
-template <class Complex>
-bool is_sweep_faster(const Complex& complex, const Vertex_order& order)
+enum class Way_of_turning
 {
-  constexpr std::size_t smallest_number_of_edges = 100000; // Fewer ones are in the caches.
-  if(complex.number_of_edges() < smallest_number_of_edges
-     || complex.number_of_vertices() < smallest_number_of_edges / 4)
-    return false;
+  ONE_BY_ONE,
+  BEHIND_SWEEP, // which finds regular vertices
+  STARS_AHEAD
+};
+
+// The fastest way to turn around all vertices. A sweep finds vertices to be regular faster than turns around them if it
+// finds nearly all, and turns wait: for memory, as each step is known only when the last one has come, or as the
+// processor cannot foresee where they end. Where the sweep jumps about in memory, too, or does not find them, stars are
+// fetched ahead if they are far. The bounds have been measured.
+template <class Complex, class Order>
+Way_of_turning fastest_way(const Complex& complex, const Order& order)
+{
   const Sampled_turns sample = sample_turns(complex, order);
-  return 25 * sample.plain_links > 24 * sample.number && 4 * sample.pages + sample.changes_of_length > sample.number;
+  const bool are_plain = 25 * sample.plain_links > 24 * sample.number,
+             are_waiting = 4 * sample.pages + sample.changes_of_length > sample.number,
+             are_jumping = 2 * sample.pages > 5 * sample.number;
+  if(is_used(Tuned_part::TRIANGLE_SWEEP) && are_plain && are_waiting
+     && !(is_used(Tuned_part::STARS_AHEAD) && are_jumping))
+    return Way_of_turning::BEHIND_SWEEP;
+  if(is_used(Tuned_part::STARS_AHEAD) && 5 * sample.pages > 2 * sample.number)
+    return Way_of_turning::STARS_AHEAD;
+  return Way_of_turning::ONE_BY_ONE;
 }
 
 // Addends of a triangle to the counts of its vertices, and to those of what is opposite of its halfedges.
@@ -344,11 +361,13 @@ private:
   std::vector<Counts> counts_; // of the parts, the first one then of all
 };
 
-// The regular vertices if to find them pays.
+// The regular vertices if to find them is the way.
 template <class ConcurrencyTag, class Complex>
-Regular_vertices<ConcurrencyTag> find_regular_vertices(const Complex& complex, const Vertex_order& order)
+Regular_vertices<ConcurrencyTag> find_regular_vertices(const Complex& complex,
+                                                       const Vertex_order& order,
+                                                       Way_of_turning way)
 {
-  if(is_used(Tuned_part::TRIANGLE_SWEEP) && is_sweep_faster(complex, order))
+  if(way == Way_of_turning::BEHIND_SWEEP)
     return {complex, order};
   return {};
 }

@@ -171,6 +171,12 @@ public:
     }
   }
 
+  // Whether the face of the halfedge has three halfedges, or one.
+  bool is_in_triangle(Halfedge_index halfedge) const
+  {
+    return complex().next(complex().next(complex().next(halfedge))) == halfedge;
+  }
+
   // Whether all triangles at a vertex are there.
   bool has_star(Vertex_index) const { return true; }
 
@@ -347,6 +353,14 @@ public:
   // Hides the other one, as it is known without a look at the next halfedge, which may be far away in memory.
   Halfedge_index previous(Halfedge_index h) const { return Halfedge_index(mesh_->prev(descriptor(h))); }
 
+  // Hides the other one. Looks at the halfedge and the next one only, as the third one may be far away in memory. If that
+  // is right for each halfedge of a face, as all corners are looked at, the third one leads back to the first.
+  bool is_in_triangle(Halfedge_index h) const
+  {
+    const Halfedge_index second = next(h);
+    return next(second) == previous(h) && previous(second) == h;
+  }
+
   // Hides the other one: triangles have the numbers of faces.
   Index end_of_triangles() const { return mesh_->num_faces(); }
 
@@ -484,10 +498,11 @@ public:
     do
     {
       const Halfedge_index second = complex_.next(halfedge);
-      if(!is_in_triangle(halfedge))
+      const Vertex_index neighbor = complex_.target(second);
+      if(!complex_.is_in_triangle(halfedge) || complex_.source(second) != vertex || neighbor == vertex)
         return give_up(first, counts);
       ++counts.corners;
-      visitor.add(complex_.target(second));
+      visitor.add(neighbor);
       halfedge = opposite_of(second);
     } while(halfedge != first && complex_.has_triangle(halfedge));
     if(halfedge == first)
@@ -497,7 +512,8 @@ public:
       // Steps backwards undo those onwards. If they meet the end of these, it is a border that the other side does not
       // have.
       const Halfedge_index turned = complex_.previous(opposite_of(first));
-      if(!is_in_triangle(opposite_of(first)) || !is_in_triangle(turned) || !complex_.has_triangle(turned)
+      if(!complex_.is_in_triangle(opposite_of(first)) || !complex_.is_in_triangle(turned)
+         || !complex_.has_triangle(turned) || complex_.target(turned) != vertex || complex_.source(first) == vertex
          || complex_.next(turned) != opposite_of(first))
         return give_up(first, counts);
       first = turned;
@@ -526,14 +542,6 @@ private:
     first = no_index;
     ++counts.bad_fans;
     return false;
-  }
-
-  // Whether the face of the halfedge is a triangle with different vertices at this halfedge's ends.
-  bool is_in_triangle(Halfedge_index halfedge) const
-  {
-    const Halfedge_index second = complex_.next(halfedge), third = complex_.next(second);
-    return second != halfedge && third != halfedge && complex_.next(third) == halfedge
-        && complex_.target(halfedge) != complex_.target(third);
   }
 
   void throw_non_manifold_vertex_error() const

@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
+#include <CGAL/Reeb_graph/internal/complex/Stars_ahead.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/options.h>
 
@@ -188,8 +189,9 @@ struct Found_vertices
 // Finds the critical vertices from `begin` to `end`: all but those with one lower and one upper sector. (The paper,
 // Section 3.1; a border vertex has a path as link, so its sectors are counted.) find_link(vertex, fan counts) tells the
 // link of a vertex.
-template <class Complex, class FindLink>
+template <class Complex, class Stars, class FindLink>
 Found_vertices find_vertices(const Complex& complex,
+                             const Stars& stars,
                              std::size_t begin,
                              std::size_t end,
                              const FindLink& find_link,
@@ -198,23 +200,24 @@ Found_vertices find_vertices(const Complex& complex,
   Found_vertices found;
   Kept_neighbors::Block neighbors = {};
   std::size_t number_of_found = 0;
+  const auto vertex_at = [](std::size_t i) { return Vertex_index(i); };
   for(std::size_t block = begin; block < end; block += neighbors.size())
   {
     const std::size_t end_of_block = (std::min)(block + neighbors.size(), end), number_of_earlier = number_of_found;
     if(found.vertices.size() < number_of_found + neighbors.size())
       found.vertices.resize(2 * (number_of_found + neighbors.size()));
-    for(const Vertex_index v : Index_range(Vertex_index(block), Vertex_index(end_of_block)))
-    {
+    stars.visit(block, end_of_block, vertex_at, [&](std::size_t i) {
+      const Vertex_index v(i);
       if(!complex.has_vertex(v))
-        continue;
+        return;
       const Vertex_link link = find_link(v, found.fan_counts);
-      neighbors[v.number() - block] = link.neighbors;
+      neighbors[i - block] = link.neighbors;
       const std::size_t is_found = link.summary.number_of_sectors != 2 ? 1 : 0;
       found.vertices[number_of_found] = {v, link.summary};
       number_of_found += is_found;
       found.numbers_of_sectors[Side::LOWER] += is_found * link.summary.number_of_lower_sectors();
       found.numbers_of_sectors[Side::UPPER] += is_found * link.summary.number_of_upper_sectors();
-    }
+    });
     if(Kept_neighbors::are_worth_keeping(number_of_found - number_of_earlier, end_of_block - block))
       kept_neighbors.keep(neighbors, block, end_of_block);
   }
@@ -228,21 +231,24 @@ struct Found_parts
   std::shared_ptr<Kept_neighbors> kept_neighbors;
 };
 
-template <class ConcurrencyTag, class Complex, class FindLink>
-Found_parts find_vertices_in_parts(const Complex& complex, const FindLink& find_link)
+template <class ConcurrencyTag, class Complex, class Stars, class FindLink>
+Found_parts find_vertices_in_parts(const Complex& complex, const Stars& stars, const FindLink& find_link)
 {
   const std::size_t size = complex.number_of_vertices();
   Found_parts found = {std::vector<Found_vertices>(number_of_parts<ConcurrencyTag>(size)),
                        std::make_shared<Kept_neighbors>(size)};
   for_each_part<ConcurrencyTag>(found.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
-    found.parts[part] = find_vertices(complex, begin, end, find_link, *found.kept_neighbors);
+    found.parts[part] = find_vertices(complex, stars, begin, end, find_link, *found.kept_neighbors);
   });
   return found;
 }
 
 // The vertices of all parts, each in its place.
 template <class ConcurrencyTag, class Complex>
-Swept_vertices join_parts(const Complex& complex, const Vertex_order& order, const Found_parts& found)
+Swept_vertices join_parts(const Complex& complex,
+                          const Vertex_order& order,
+                          Way_of_turning way,
+                          const Found_parts& found)
 {
   const std::vector<Found_vertices>& parts = found.parts;
   std::size_t number_of_vertices = 0;
@@ -259,17 +265,20 @@ Swept_vertices join_parts(const Complex& complex, const Vertex_order& order, con
   }
   Swept_vertices result;
   result.resize(number_of_vertices, numbers_of_sectors);
+  const Stars_ahead stars(complex, order, way == Way_of_turning::STARS_AHEAD);
   for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t part) {
     Swept_index i(first_vertices[part]);
     Sector_counts sectors = first_sectors[part];
-    for(const auto& [vertex, link] : parts[part].vertices)
-    {
+    const auto& vertices = parts[part].vertices;
+    const auto vertex_at = [&](std::size_t k) { return vertices[k].vertex; };
+    stars.visit(0, vertices.size(), vertex_at, [&](std::size_t k) {
+      const auto& [vertex, link] = vertices[k];
       const auto places = result.set(i, vertex, link.is_first_upper, complex.is_on_border(vertex), sectors);
       find_link_sectors(complex, order, vertex, link, places);
       ++i;
       sectors[Side::LOWER] += link.number_of_lower_sectors();
       sectors[Side::UPPER] += link.number_of_upper_sectors();
-    }
+    });
   });
   result.template sort<ConcurrencyTag>(order);
   result.set_kept_neighbors(found.kept_neighbors);
@@ -280,11 +289,13 @@ Swept_vertices join_parts(const Complex& complex, const Vertex_order& order, con
 template <class ConcurrencyTag, class Complex>
 Swept_vertices classify_vertices(const Complex& complex, const Vertex_order& order)
 {
-  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(complex, order);
+  const Way_of_turning way = fastest_way(complex, order);
+  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(complex, order, way);
+  const Stars_ahead stars(complex, order, way == Way_of_turning::STARS_AHEAD);
   const auto find = [&](Vertex_index vertex, Fan_counts&) {
     return regular_vertices.number_of_corners(vertex) != 0 ? regular_link : find_link(complex, order, vertex);
   };
-  return join_parts<ConcurrencyTag>(complex, order, find_vertices_in_parts<ConcurrencyTag>(complex, find));
+  return join_parts<ConcurrencyTag>(complex, order, way, find_vertices_in_parts<ConcurrencyTag>(complex, stars, find));
 }
 
 template <class Complex>
@@ -299,7 +310,9 @@ struct Classified_complex
 template <class ConcurrencyTag, class Complex>
 Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Complex> unchecked, const Vertex_order& order)
 {
-  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order);
+  const Way_of_turning way = fastest_way(unchecked.at_set_fans(), order);
+  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order, way);
+  const Stars_ahead stars(unchecked.at_set_fans(), order, way == Way_of_turning::STARS_AHEAD);
   const auto find = [&](Vertex_index vertex, Fan_counts& counts) {
     const Index number_of_corners = regular_vertices.number_of_corners(vertex);
     if(number_of_corners == 0)
@@ -308,12 +321,12 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
     counts.corners += number_of_corners;
     return regular_link;
   };
-  const auto found = find_vertices_in_parts<ConcurrencyTag>(unchecked, find);
+  const auto found = find_vertices_in_parts<ConcurrencyTag>(unchecked, stars, find);
   Fan_counts counts;
   for(const Found_vertices& part : found.parts)
     counts += part.fan_counts;
   Complex complex = std::move(unchecked).check(counts);
-  Swept_vertices critical_vertices = join_parts<ConcurrencyTag>(complex, order, found);
+  Swept_vertices critical_vertices = join_parts<ConcurrencyTag>(complex, order, way, found);
   return {std::move(complex), std::move(critical_vertices)};
 }
 
