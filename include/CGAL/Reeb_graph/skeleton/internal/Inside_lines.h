@@ -82,7 +82,7 @@ public:
 
   std::size_t number_outside() const { return number_outside_; }
   std::size_t number_of_crossings() const { return number_of_crossings_; }
-  // What the loops generate: lines that are moved later never pass the surface.
+  // Loops generate this group for good, as lines that are moved later never pass the surface.
   const Loop_group& loop_group() const { return loop_group_; }
 
 private:
