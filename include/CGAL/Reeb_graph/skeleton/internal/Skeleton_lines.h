@@ -145,7 +145,7 @@ public:
   {
     for(Index line = 0; line != lines_.size(); ++line)
     {
-      auto [from, to] = line_ends_[line];
+      Index from = line_ends_[line][0], to = line_ends_[line][1];
       if(!lines_[line].empty() || from == to || nodes_.at(from).point.point != nodes_.at(to).point.point)
         continue;
       if(nodes_.at(to).kind != Line_end::JUNCTION)
