@@ -10,12 +10,14 @@
 
 #include "compared_bodies.h"
 #include "computed_graphs.h"
+#include "generated_surfaces.h"
 
 #include <CGAL/Reeb_graph/comparison/bottleneck_distance.h>
 #include <CGAL/Reeb_graph/comparison/match_arcs.h>
 #include <CGAL/Reeb_graph/comparison/match_tips.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -85,6 +87,73 @@ Pairs pairs_of(const mesh_builders::Surface_mesh& mesh, const std::vector<double
   return pairs;
 }
 
+// The surface with its box from 0 on, whose diagonal is 1, and with points moved by at most `noise` in each direction.
+generated_surfaces::Triangle_soup of_size_1(generated_surfaces::Triangle_soup soup, double noise = 0)
+{
+  std::array<double, 3> low, side;
+  for(std::size_t i = 0; i != 3; ++i)
+  {
+    const auto [least, greatest] = std::minmax_element(soup.points.begin(), soup.points.end(),
+                                                       [i](const auto& p, const auto& q) { return p[i] < q[i]; });
+    low[i] = (*least)[i];
+    side[i] = (*greatest)[i] - low[i];
+  }
+  Random random(soup.points.size());
+  for(auto& point : soup.points)
+    for(std::size_t i = 0; i != 3; ++i)
+      point[i] = (point[i] - low[i]) / std::hypot(side[0], side[1], side[2])
+               + noise * (static_cast<double>(random.below(2000001)) / 1000000 - 1);
+  return soup;
+}
+
+// The pairs of the first coordinate.
+Pairs pairs_of_x(const generated_surfaces::Triangle_soup& soup)
+{
+  std::vector<double> values;
+  for(const auto& point : soup.points)
+    values.push_back(point[0]);
+  return pairs_of(generated_surfaces::make_mesh<mesh_builders::Surface_mesh>(soup), values);
+}
+
+// The pairs of the distance from a vertex.
+Pairs pairs_of_distances(const generated_surfaces::Triangle_soup& soup, std::size_t source)
+{
+  const auto mesh = generated_surfaces::make_mesh<Mesh>(soup);
+  std::vector<double> values(soup.points.size());
+  const auto map = CGAL::make_property_map(values);
+  CGAL::Reeb_graph::compute_geodesic_field(
+    mesh, map, std::array<Mesh::Vertex_index, 1>{Mesh::Vertex_index(static_cast<Mesh::size_type>(source))});
+  return pairs_of(generated_surfaces::make_mesh<mesh_builders::Surface_mesh>(soup), values);
+}
+
+std::size_t leftmost(const generated_surfaces::Triangle_soup& soup)
+{
+  return static_cast<std::size_t>(std::min_element(soup.points.begin(), soup.points.end()) - soup.points.begin());
+}
+
+constexpr unsigned number_of_genera = 4; // 0, 1, 2, 3
+
+// One pair of a loop for each handle, and farther from the others than anything here moves them.
+void check_that_genera_are_apart(const std::vector<Pairs>& shapes)
+{
+  for(std::size_t genus = 0; genus != number_of_genera; ++genus)
+  {
+    BOOST_TEST(std::count_if(shapes[genus].begin(), shapes[genus].end(),
+                             [](const auto& pair) { return pair.kind == Persistence_pair_kind::LOOP; })
+               == static_cast<std::ptrdiff_t>(genus));
+    for(std::size_t other = 0; other != genus; ++other)
+    {
+      const double distance = CGAL::Reeb_graph::bottleneck_distance(shapes[genus], shapes[other]);
+      double least = infinity;
+      for(const Persistence_values& pair : shapes[genus])
+        least = pair.kind == Persistence_pair_kind::LOOP ? (std::min)(least, half_persistence(pair)) : least;
+      BOOST_TEST(distance >= least); // a loop has no partner
+      BOOST_TEST(distance > 0.08);
+      BOOST_TEST(distance == CGAL::Reeb_graph::bottleneck_distance(shapes[other], shapes[genus]));
+    }
+  }
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(distances_that_are_known)
@@ -133,6 +202,84 @@ BOOST_AUTO_TEST_CASE(the_distance_is_at_most_that_of_the_fields)
       const auto mesh = make_mesh<mesh_builders::Surface_mesh>(combinatorial_mesh);
       BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(pairs_of(mesh, values), pairs_of(mesh, others)) <= 4);
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_distance_of_a_torus_and_a_sphere_is_half_of_the_hole)
+{
+  auto sphere = generated_surfaces::closed_surface(0, 2500);
+  const auto torus = generated_surfaces::torus(24, 48); // its hole is from -0.6 to 0.6, it from -1.4 to 1.4
+  const double left = sphere.points[leftmost(sphere)][0];
+  for(auto& point : sphere.points)
+    point[0] *= -1.4 / left;
+  BOOST_TEST(std::abs(CGAL::Reeb_graph::bottleneck_distance(pairs_of_x(sphere), pairs_of_x(torus)) - 0.6) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(genera_are_told_apart_by_a_coordinate)
+{
+  std::vector<generated_surfaces::Triangle_soup> soups;
+  std::vector<Pairs> shapes;
+  for(unsigned genus = 0; genus != number_of_genera; ++genus)
+  {
+    soups.push_back(of_size_1(generated_surfaces::closed_surface(genus, 2500)));
+    shapes.push_back(pairs_of_x(soups.back()));
+  }
+  check_that_genera_are_apart(shapes);
+  for(const double noise : {0., 0.01, 0.03, 0.05})
+    for(unsigned genus = 0; genus != number_of_genera; ++genus)
+      BOOST_TEST_CONTEXT("noise " << noise << ", genus " << genus)
+      {
+        const Pairs moved = noise > 0 ? pairs_of_x(of_size_1(generated_surfaces::closed_surface(genus, 2500), noise))
+                                      : pairs_of_x(of_size_1(generated_surfaces::closed_surface(genus, 5000)));
+        const double own = CGAL::Reeb_graph::bottleneck_distance(moved, shapes[genus]);
+        BOOST_TEST(own <= (noise > 0 ? noise : 0.001));
+        for(unsigned other = 0; other != number_of_genera; ++other)
+          if(other != genus)
+            BOOST_TEST(own < CGAL::Reeb_graph::bottleneck_distance(moved, shapes[other]) / 2);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(genera_are_told_apart_by_distances_however_they_lie)
+{
+  std::vector<Pairs> shapes;
+  for(unsigned genus = 0; genus != number_of_genera; ++genus)
+  {
+    const auto soup = of_size_1(generated_surfaces::closed_surface(genus, 2500));
+    const std::size_t source = leftmost(soup);
+    shapes.push_back(pairs_of_distances(soup, source));
+    Random random(genus);
+    for(const double unit : {1., 1e150, 1e-150})
+    {
+      auto turned = soup;
+      for(auto& p : turned.points) // by a matrix of thirds
+        p = {unit * (2 * p[0] - 2 * p[1] + p[2]) / 3, unit * (p[0] + 2 * p[1] + 2 * p[2]) / 3,
+             unit * (-2 * p[0] - p[1] + 2 * p[2]) / 3};
+      auto numbers = own_numbers(soup.points.size());
+      random.shuffle(numbers);
+      generated_surfaces::renumber(turned, numbers);
+      random.shuffle(turned.triangles);
+      Pairs pairs = pairs_of_distances(turned, numbers[source]);
+      for(Persistence_values& pair : pairs)
+      {
+        pair.lower /= unit;
+        pair.upper /= unit;
+      }
+      BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(pairs, shapes.back()) < 1e-9);
+    }
+    const auto finer = of_size_1(generated_surfaces::closed_surface(genus, 5000));
+    BOOST_TEST(CGAL::Reeb_graph::bottleneck_distance(pairs_of_distances(finer, leftmost(finer)), shapes.back()) < 0.01);
+  }
+  check_that_genera_are_apart(shapes);
+}
+
+BOOST_AUTO_TEST_CASE(prices_are_known)
+{
+  typedef CGAL::Reeb_graph::internal::Compared_arc Arc; // whether ends are leaves, values, length, root of area
+  const Arc limb = {false, true, 0.5, 1, 0.25, 0.5};
+  BOOST_TEST(Arc::price(limb, limb) == 0);
+  BOOST_TEST(Arc::price(limb, {false, false, 0.5, 1, 0.25, 0.5}) == 0.5);
+  BOOST_TEST(Arc::price(limb, {true, false, 0.5, 1, 0.25, 0.5}) == 1);
+  BOOST_TEST(Arc::price(limb, {false, true, 0.25, 0.5, 0.25, 0.5}) == 0.75);
+  BOOST_TEST(Arc::price({false, true, 0.5, 1, 0.75, 1}, limb) == 0.5);
 }
 
 BOOST_AUTO_TEST_CASE(limbs_are_partners_of_limbs)
