@@ -491,22 +491,21 @@ public:
     first = complex_.halfedge_of_face_at(vertex);
     if(first == no_index)
       return false;
-    if(complex_.target(first) != vertex)
-      return give_up(first, counts);
     visitor.begin(complex_.source(first));
     Halfedge_index halfedge = first;
     do
     {
       const Halfedge_index second = complex_.next(halfedge);
-      const Vertex_index neighbor = complex_.target(second);
-      if(!complex_.is_in_triangle(halfedge) || complex_.source(second) != vertex || neighbor == vertex)
+      if(complex_.target(halfedge) != vertex || !complex_.is_in_triangle(halfedge) || complex_.target(second) == vertex)
         return give_up(first, counts);
       ++counts.corners;
-      visitor.add(neighbor);
+      visitor.add(complex_.target(second));
       halfedge = opposite_of(second);
     } while(halfedge != first && complex_.has_triangle(halfedge));
     if(halfedge == first)
       return true;
+    if(complex_.target(halfedge) != vertex)
+      return give_up(first, counts);
     for(; complex_.has_triangle(opposite_of(first)); ++counts.corners)
     {
       // Steps backwards undo those onwards. If they meet the end of these, it is a border that the other side does not

@@ -212,16 +212,18 @@ Found_vertices find_vertices(const Complex& complex,
         return;
       const Vertex_link link = find_link(v, found.fan_counts);
       neighbors[i - block] = link.neighbors;
-      const std::size_t is_found = link.summary.number_of_sectors != 2 ? 1 : 0;
       found.vertices[number_of_found] = {v, link.summary};
-      number_of_found += is_found;
-      found.numbers_of_sectors[Side::LOWER] += is_found * link.summary.number_of_lower_sectors();
-      found.numbers_of_sectors[Side::UPPER] += is_found * link.summary.number_of_upper_sectors();
+      number_of_found += link.summary.number_of_sectors != 2 ? 1 : 0;
     });
     if(Kept_neighbors::are_worth_keeping(number_of_found - number_of_earlier, end_of_block - block))
       kept_neighbors.keep(neighbors, block, end_of_block);
   }
   found.vertices.resize(number_of_found);
+  for(const auto& [vertex, link] : found.vertices)
+  {
+    found.numbers_of_sectors[Side::LOWER] += link.number_of_lower_sectors();
+    found.numbers_of_sectors[Side::UPPER] += link.number_of_upper_sectors();
+  }
   return found;
 }
 
