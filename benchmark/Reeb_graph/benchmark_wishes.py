@@ -98,4 +98,5 @@ def main():
 if sizes and not sizes[0].isdigit():
     sizes = [str(pathlib.Path(size).resolve()) for size in sizes]
 build = str(pathlib.Path(build).resolve())
-main()
+if __name__ == "__main__":
+    main()
