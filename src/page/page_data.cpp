@@ -33,7 +33,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -234,9 +233,7 @@ std::string base64(const std::vector<Number>& numbers)
   if(boost::endian::order::native == boost::endian::order::big)
     for(auto number = bytes.begin(); number != bytes.end(); number += sizeof(Number))
       std::reverse(number, number + sizeof(Number));
-  std::ostringstream out;
-  CGAL::Reeb_graph::internal::write_base64(out, std::move(bytes));
-  return out.str();
+  return CGAL::Reeb_graph::internal::base64_code(bytes);
 }
 
 namespace {

@@ -9,16 +9,8 @@
 
 #include "computation/nearest_place.h"
 
-#include <CGAL/AABB_tree.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/version.h>
-#if CGAL_VERSION_NR >= 1060000000
-#include <CGAL/AABB_traits_3.h>
-#include <CGAL/AABB_triangle_primitive_3.h>
-#else
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -30,18 +22,100 @@
 
 namespace reeb_graph_program {
 namespace {
-typedef CGAL::Simple_cartesian<double> Kernel;
-typedef std::vector<Kernel::Triangle_3> Triangles;
-#if CGAL_VERSION_NR >= 1060000000
-typedef CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator> Primitive;
-typedef CGAL::AABB_traits_3<Kernel, Primitive> Tree_traits;
-#else
-typedef CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator> Primitive;
-typedef CGAL::AABB_traits<Kernel, Primitive> Tree_traits;
-#endif
-typedef CGAL::AABB_tree<Tree_traits> Tree;
+typedef CGAL::Kernel_traits<Point>::Kernel Kernel;
 
 double distance(const Point& p, const Point& q) { return std::sqrt((p - q).squared_length()); }
+
+// Faces, to find the one nearest to a point. A part of them is halved when a search first comes to it, as searches along
+// lines come to few parts.
+class Halved_faces
+{
+public:
+  struct Face
+  {
+    CGAL::Bbox_3 box;
+    std::array<Surface::Vertex_index, 3> vertices; // known at once, as halfedges are not
+    Surface::Face_index index;
+  };
+
+  void add(const Face& face)
+  {
+    faces_.push_back(face);
+    parts_.front().box += face.box;
+    parts_.front().end = faces_.size();
+  }
+
+  bool empty() const { return faces_.empty(); }
+
+  // Calls look(face) for faces, among which are all that are nearer than the least squared distance, which look() lowers.
+  template <class Look>
+  void search(const Point& point, const double& least, const Look& look, std::size_t number = 0)
+  {
+    if(squared_distance(parts_[number].box, point) >= least)
+      return;
+    constexpr std::size_t most_faces = 16; // of a part that is not halved
+    if(parts_[number].end - parts_[number].begin <= most_faces)
+    {
+      for(std::size_t i = parts_[number].begin; i != parts_[number].end; ++i)
+        if(squared_distance(faces_[i].box, point) < least)
+          look(faces_[i]);
+      return;
+    }
+    if(parts_[number].first_half == 0)
+      halve(number);
+    const std::size_t first = parts_[number].first_half, second = first + 1;
+    const bool is_first_nearer =
+      squared_distance(parts_[first].box, point) <= squared_distance(parts_[second].box, point);
+    search(point, least, look, is_first_nearer ? first : second);
+    search(point, least, look, is_first_nearer ? second : first);
+  }
+
+private:
+  struct Part
+  {
+    CGAL::Bbox_3 box;
+    std::size_t begin = 0, end = 0;
+    std::size_t first_half = 0; // its number, before that of the second one; 0 if there are none yet
+  };
+
+  static double squared_distance(const CGAL::Bbox_3& box, const Point& point)
+  {
+    double sum = 0;
+    for(int i = 0; i != 3; ++i)
+    {
+      const double way = (std::max)((std::max)(box.min(i) - point[i], point[i] - box.max(i)), 0.);
+      sum += way * way;
+    }
+    return sum;
+  }
+
+  // Faces with equal coordinates go by number: std::nth_element() puts those in another order in each standard library,
+  // and the order of the parts decides among places that are equally near.
+  void halve(std::size_t number)
+  {
+    const Part whole = parts_[number];
+    int axis = 0;
+    for(int i = 1; i != 3; ++i)
+      if(whole.box.max(i) - whole.box.min(i) > whole.box.max(axis) - whole.box.min(axis))
+        axis = i;
+    const std::size_t middle = whole.begin + (whole.end - whole.begin) / 2;
+    std::nth_element(faces_.data() + whole.begin, faces_.data() + middle, faces_.data() + whole.end,
+                     [axis](const Face& f, const Face& g) {
+                       const double p = f.box.min(axis) + f.box.max(axis), q = g.box.min(axis) + g.box.max(axis);
+                       return p < q || (p == q && f.index < g.index);
+                     });
+    parts_[number].first_half = parts_.size();
+    for(const auto& [begin, end] : {std::pair(whole.begin, middle), std::pair(middle, whole.end)})
+    {
+      parts_.push_back({{}, begin, end});
+      for(std::size_t i = begin; i != end; ++i)
+        parts_.back().box += faces_[i].box;
+    }
+  }
+
+  std::vector<Face> faces_; // in the order of the parts
+  std::vector<Part> parts_ = std::vector<Part>(1);
+};
 
 } // namespace
 
@@ -57,9 +131,6 @@ public:
     const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
     const Point middle((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2);
     size_ = 2 * distance(middle, Point(box.xmax(), box.ymax(), box.zmax()));
-    std::vector<std::size_t> degrees(surface.num_vertices(), 0);
-    for(const Surface::Halfedge_index h : surface.halfedges())
-      ++degrees[surface.target(h)];
     double volume = 0;
     for(const Surface::Face_index f : surface.faces())
     {
@@ -68,25 +139,14 @@ public:
       volume += (a - middle) * normal;
       if(!(normal.squared_length() > 0))
         continue;
-      triangles_.emplace_back(a, b, c);
-      faces_.push_back(f);
-      numbers_of_neighbors_.push_back(0);
-      for(const Surface::Halfedge_index h : sides(surface, f))
-        numbers_of_neighbors_.back() += degrees[surface.target(h)];
+      const auto [p, q, r] = sides(surface, f);
+      nearest_ = {a.bbox() + b.bbox() + c.bbox(), {surface.target(p), surface.target(q), surface.target(r)}, f};
+      faces_.add(nearest_);
     }
     orientation_ = volume < 0 ? -1 : 1;
-    tree_.insert(triangles_.begin(), triangles_.end());
-    if(triangles_.empty())
-      return;
-    tree_.custom_build(tree_.traits().compute_bbox_object(),
-                       [](auto begin, auto end, const CGAL::Bbox_3& part) { halve(begin, end, part); });
-    // The search begins at the last place: to find a place to begin at, the tree would sort the corners, and calls itself
-    // once for each of thousands of triangles with one corner.
-    tree_.do_not_accelerate_distance_queries();
-    nearest_ = {triangles_.front().vertex(0), triangles_.cbegin()};
   }
 
-  bool are_known() const { return !triangles_.empty(); }
+  bool are_known() const { return !faces_.empty(); }
   double size() const { return size_; } // of the surface
 
   // The nearest place if the point is outside.
@@ -94,34 +154,29 @@ public:
   {
     if(number_of_steps_ > most_steps)
       return std::nullopt;
-    nearest_ = tree_.closest_point_and_primitive(point, nearest_);
-    const auto& [place, triangle] = nearest_;
-    number_of_steps_ += numbers_of_neighbors_[triangle - triangles_.begin()];
+    Point place = place_on_face(point, nearest_);
+    double least = (point - place).squared_length();
+    faces_.search(point, least, [&](const Halved_faces::Face& face) {
+      ++number_of_steps_;
+      const Point other = place_on_face(point, face);
+      const double other_distance = (point - other).squared_length();
+      if(!(other_distance < least))
+        return;
+      least = other_distance;
+      place = other;
+      nearest_ = face;
+    });
     const Vector way = point - place;
     const double least_distance = 1e-4 * size_;
     if(!(way.squared_length() > least_distance * least_distance))
       return std::nullopt;
-    if(!(orientation_ * (way * normal(point, faces_[triangle - triangles_.begin()])) > 0))
+    if(!(orientation_ * (way * normal(point, nearest_.index)) > 0))
       return std::nullopt;
     return place;
   }
 
 private:
   typedef std::array<Surface::Halfedge_index, 3> Sides_of_face;
-
-  // As the tree does, but triangles with equal coordinates by number: std::nth_element() puts those in another order in
-  // each standard library, and the order of the tree decides among places that are equally near.
-  template <class Iterator>
-  static void halve(Iterator begin, Iterator end, const CGAL::Bbox_3& box)
-  {
-    int axis = 0;
-    for(int i = 1; i != 3; ++i)
-      if(box.max(i) - box.min(i) > box.max(axis) - box.min(axis))
-        axis = i;
-    const auto key = [axis](const Primitive& p) { return std::make_pair(p.id()->vertex(0)[axis], p.id()); };
-    std::nth_element(begin, begin + (end - begin) / 2, end,
-                     [&](const Primitive& p, const Primitive& q) { return key(p) < key(q); });
-  }
 
   static Sides_of_face sides(const Surface& surface, Surface::Face_index f)
   {
@@ -133,6 +188,14 @@ private:
   {
     const auto [a, b, c] = sides(surface_, f);
     return {surface_.point(surface_.target(a)), surface_.point(surface_.target(b)), surface_.point(surface_.target(c))};
+  }
+
+  // The nearest one in a face with area.
+  Point place_on_face(const Point& point, const Halved_faces::Face& face) const
+  {
+    const auto [a, b, c] = face.vertices;
+    const Kernel::Triangle_3 triangle(surface_.point(a), surface_.point(b), surface_.point(c));
+    return Kernel().construct_projected_point_3_object()(triangle, point);
   }
 
   Vector normal_of_face(Surface::Face_index f) const
@@ -177,14 +240,11 @@ private:
 
   const Surface& surface_;
   double size_ = 0, orientation_ = 1;
-  Triangles triangles_; // with area
-  std::vector<Surface::Face_index> faces_;
-  Tree tree_;
-  Tree::Point_and_primitive_id nearest_; // to the last point
+  Halved_faces faces_;         // with area
+  Halved_faces::Face nearest_; // to the last point
   // A search looks at all triangles of a fan that its place is in. After too many, points stay where they are.
-  static constexpr std::size_t most_steps = 100'000'000;
+  static constexpr std::size_t most_steps = 40'000'000;
   std::size_t number_of_steps_ = 0;
-  std::vector<std::size_t> numbers_of_neighbors_; // of the corners of each triangle
 };
 
 Surface_follower::Surface_follower(const Surface& surface) : sides_(std::make_unique<Sides>(surface)) {}

@@ -22,37 +22,38 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <boost/endian/conversion.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <ostream>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
-inline void write_base64(std::ostream& out, std::vector<unsigned char> bytes)
+// The base64 code: four digits for three bytes, the last of which are padded.
+inline std::string base64_code(const std::vector<unsigned char>& bytes)
 {
-  using boost::archive::iterators::base64_from_binary;
-  using boost::archive::iterators::transform_width;
-  typedef base64_from_binary<transform_width<std::vector<unsigned char>::const_iterator, 6, 8>> Digits;
-  const std::size_t padding = (3 - bytes.size() % 3) % 3;
-  const std::size_t number_of_digits = (4 * bytes.size() + 2) / 3;
-  bytes.resize(bytes.size() + padding, 0);
-  std::string text; // in one piece: an iterator of the stream's buffer would not tell the stream that it failed
-  text.reserve(number_of_digits + padding);
-  std::copy_n(Digits(bytes.cbegin()), number_of_digits, std::back_inserter(text));
-  out << text.append(padding, '=');
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  auto place = text.begin();
+  const auto add = [&](unsigned int group, int number_of_digits) {
+    for(int i = 0; i != number_of_digits; ++i)
+      *place++ = digits[group >> (18 - 6 * i) & 63];
+  };
+  const std::size_t rest = bytes.size() % 3;
+  for(std::size_t i = 0; i != bytes.size() - rest; i += 3)
+    add(bytes[i] << 16 | bytes[i + 1] << 8 | bytes[i + 2], 4);
+  if(rest == 1)
+    add(bytes.back() << 16, 2);
+  else if(rest == 2)
+    add(bytes[bytes.size() - 2] << 16 | bytes.back() << 8, 3);
+  return text;
 }
 
 template <class Point>
@@ -118,8 +119,7 @@ public:
     std::memcpy(bytes.data(), &size, sizeof size);
     if(size != 0)
       std::memcpy(bytes.data() + sizeof size, numbers.data(), size);
-    write_base64(out_, std::move(bytes));
-    out_ << "\n</DataArray>\n";
+    out_ << base64_code(bytes) << "\n</DataArray>\n";
   }
 
   // Writes the end. It is not left to a destructor, in which a stream could throw an exception.
