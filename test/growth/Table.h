@@ -148,6 +148,7 @@ void measure_curves(Table& table);
 void measure_handles(Table& table);
 void measure_skeletons(Table& table);
 void measure_complexes(Table& table);
+void measure_comparisons(Table& table);
 
 } // namespace growth
 

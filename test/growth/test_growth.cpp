@@ -56,6 +56,7 @@ int main(int argc, char* argv[])
     growth::measure_curves(table);
     growth::measure_handles(table);
     growth::measure_skeletons(table);
+    growth::measure_comparisons(table);
 #ifdef CGAL_EIGEN3_ENABLED
     growth::measure_fields(table);
 #endif
