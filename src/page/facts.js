@@ -73,6 +73,10 @@ class Facts {
       addElement(text, "p", "A loop goes around a handle or hole of the surface. This surface has "
         + (this.loops === 1 ? "one." : this.loops.toLocaleString("en") + "."));
     }
+    if (this.data.partners) {
+      addElement(text, "p", "Arcs of one color are partners: they stand for the same part of both shapes. An arc"
+        + " without a partner is gray.");
+    }
     const canSimplify = this.view.arcs.length > 40 && this.data.levels.length > 1;
     addElement(text, "p", "Point at an arc, here or there, to see its piece; click to keep it"
       + (skeleton ? ", and move along it the largest ball in the surface." : ", and move its contour.")

@@ -156,7 +156,8 @@ class Scene {
     this.renderer.setSize(this.width, this.height, false);
     this.numberTarget.setSize(this.width, this.height);
     this.eye.setAspect(this.widthOfShape / this.height);
-    this.requestDrawing();
+    this.areNumbersOld = true;
+    this.draw(); // at once, as the canvas is empty with another size
   }
 
   // Shows the graph of a view, whose arcs have these colours; nodes are coloured by `nodeColor(node)`.

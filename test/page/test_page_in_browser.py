@@ -214,6 +214,26 @@ def test_canvas_is_drawn(data):
     assert drawings[-1] == drawings[-2], "it is drawn though nothing changes"
 
 
+def test_another_size_is_drawn_at_once(data):
+    drawings = browser.execute_async_script("""
+        const [done] = arguments, frame = document.getElementById('canvas_frame');
+        let before = null;
+        const observer = new ResizeObserver(() => { // called behind that of the page
+          const drawings = window.reebGraphPage.state().drawings;
+          if (before === null) {
+            before = drawings;
+            requestAnimationFrame(() => { frame.style.flex = '0 0 300px'; });
+          } else {
+            observer.disconnect();
+            frame.style.flex = '';
+            done(drawings - before);
+          }
+        });
+        observer.observe(frame);""")
+    assert drawings == 1, "the canvas is empty until the next frame"
+    wait_for_drawing()
+
+
 def test_pointing_in_the_plane_lights_the_piece(data):
     arc = longest_arc(data)
     mouse("mouseMoved", 2, 2)
@@ -656,6 +676,7 @@ def test_two_shapes():
     load("two.html")
     data = data_of_page()
     assert "pairs of arcs" in browser.find_element(By.ID, "summary").text
+    assert "An arc without a partner is gray." in browser.find_element(By.ID, "facts").text
     for shape in (0, 1):
         before, pair = picture(), data["partners"][0]
         arc = pair[shape] + shape * len(data["graph"]["arcs"])
@@ -708,8 +729,8 @@ def test_all():
     run("compute", "torus.off", "--field", "z", "--html", "torus.html", "--unit", "mm")
     load("torus.html")
     data = data_of_page()
-    for test in [test_canvas_is_drawn, test_pointing_in_the_plane_lights_the_piece, test_pointing_in_space,
-                 test_slider_moves_the_contour, test_dragging_moves_the_contour, test_turning_is_not_choosing,
+    for test in [test_canvas_is_drawn, test_another_size_is_drawn_at_once, test_pointing_in_the_plane_lights_the_piece,
+                 test_pointing_in_space, test_slider_moves_the_contour, test_dragging_moves_the_contour, test_turning_is_not_choosing,
                  test_keys_reach_everything, test_switches_change_colors, test_slider_simplifies, test_touch,
                  test_nothing_lies_on_the_surface, test_narrow_dark_and_still]:
         test(data)
