@@ -684,12 +684,10 @@ py::object compare(const std::vector<Graph_pointer>& graphs,
 // A matrix, row by row.
 py::object distances(const std::vector<Graph_pointer>& graphs, const std::vector<double>& bases, Run& run)
 {
-  std::vector<double> matrix(graphs.size() * graphs.size(), 0);
+  std::vector<double> matrix;
   run([&] {
-    const auto values = persistence_values(graphs, bases);
-    for(std::size_t i = 0; i != graphs.size(); ++i)
-      for(std::size_t j = 0; j != i; ++j)
-        matrix[i * graphs.size() + j] = matrix[j * graphs.size() + i] = distance(values[i], values[j]);
+    for(const std::vector<double>& row : find_distances(persistence_values(graphs, bases)))
+      matrix.insert(matrix.end(), row.begin(), row.end());
   });
   return to_object(matrix);
 }

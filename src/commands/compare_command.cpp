@@ -165,16 +165,13 @@ void match(Shape& a, Shape& b, double price_alone, Comparison_report& report)
       std::count(report.partners->begin(), report.partners->end(), std::make_pair(*arc_a, *arc_b)) != 0;
 }
 
-void find_distances(const std::deque<Shape>& shapes, Comparison_report& report)
+void measure(const std::deque<Shape>& shapes, Comparison_report& report)
 {
   const Timed_step timed(report, "distances");
   std::vector<Persistence_values> pairs;
   for(const Shape& shape : shapes)
     pairs.push_back(find_persistence_values(shape.graph->given()));
-  report.distances.assign(pairs.size(), std::vector<double>(pairs.size(), 0));
-  for(std::size_t i = 0; i != pairs.size(); ++i)
-    for(std::size_t j = 0; j != i; ++j)
-      report.distances[i][j] = report.distances[j][i] = distance(pairs[i], pairs[j]);
+  report.distances = find_distances(pairs);
   if(pairs.size() == 2)
     report.by_kind = distances_by_kind(pairs[0], pairs[1]);
 }
@@ -217,7 +214,7 @@ void run_compare(const Compare_options& options)
   choose_sources(shapes, report);
   for(std::size_t i = 0; i != shapes.size(); ++i)
     compute(shapes[i], options, report.shapes[i]);
-  find_distances(shapes, report);
+  measure(shapes, report);
   if(shapes.size() == 2)
     match(shapes[0], shapes[1], options.price_alone, report);
   write_files(options, shapes, report);

@@ -43,14 +43,18 @@ std::vector<std::pair<std::string, double>> distances_by_kind(const Persistence_
                    [kind](const auto& pair) { return pair.kind == kind; });
       return result;
     };
-    distances.emplace_back(to_string(kind), distance(of_kind(a), of_kind(b)));
+    distances.emplace_back(to_string(kind), CGAL::Reeb_graph::bottleneck_distance(of_kind(a), of_kind(b)));
   }
   return distances;
 }
 
-double distance(const Persistence_values& a, const Persistence_values& b)
+std::vector<std::vector<double>> find_distances(const std::vector<Persistence_values>& shapes)
 {
-  return CGAL::Reeb_graph::bottleneck_distance(a, b);
+  std::vector<std::vector<double>> distances(shapes.size(), std::vector<double>(shapes.size(), 0));
+  for(std::size_t i = 0; i != shapes.size(); ++i)
+    for(std::size_t j = 0; j != i; ++j)
+      distances[i][j] = distances[j][i] = CGAL::Reeb_graph::bottleneck_distance(shapes[i], shapes[j]);
+  return distances;
 }
 
 Partners match_arcs(Mesh_graph& a, Mesh_graph& b, double price_alone)

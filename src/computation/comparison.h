@@ -25,9 +25,10 @@ typedef std::vector<CGAL::Reeb_graph::Persistence_values> Persistence_values;
 // The pairs of a graph that has not been simplified, with `base` added to values.
 Persistence_values find_persistence_values(const Graph& graph, double base = 0);
 
-// How far two shapes are from each other, by each kind of pairs; the greatest number is the distance.
+// How far two shapes are from each other, by each kind of pairs; the greatest number is the distance. And the distances
+// of all shapes, a row for each.
 std::vector<std::pair<std::string, double>> distances_by_kind(const Persistence_values& a, const Persistence_values& b);
-double distance(const Persistence_values& a, const Persistence_values& b);
+std::vector<std::vector<double>> find_distances(const std::vector<Persistence_values>& shapes);
 
 // The arcs of two graphs of surfaces that are partners, by their numbers. Throws the exceptions of match_arcs().
 typedef std::vector<std::pair<std::size_t, std::size_t>> Partners;

@@ -11,6 +11,7 @@
 #include "output/output_file.h"
 #include "output/report_output.h"
 
+#include <CGAL/Reeb_graph/IO/csv.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 
 #include <nlohmann/json.hpp>
@@ -51,15 +52,6 @@ void write_partners(std::ostream& out, const Comparison_report& report)
       out << "         " << arc << " of " << report.names[shape] << " has none\n";
   if(report.are_sources_on_partners)
     out << "sources  " << (*report.are_sources_on_partners ? "are" : "are not") << " on partners\n";
-}
-
-std::string quoted(std::string name)
-{
-  if(name.find_first_of(",\"\n") == std::string::npos)
-    return name;
-  for(std::size_t i = name.find('"'); i != std::string::npos; i = name.find('"', i + 2))
-    name.insert(i, 1, '"');
-  return '"' + name + '"';
 }
 
 } // namespace
@@ -130,14 +122,15 @@ void check_matrix_format(const std::filesystem::path& path) { ending_of(path, "d
 void write_matrix(const std::filesystem::path& path, const Comparison_report& report)
 {
   write_file(path, [&](std::ostream& stream) {
+    using CGAL::Reeb_graph::internal::csv_of;
     CGAL::Reeb_graph::internal::Text_output text(stream);
     text << "shape";
     for(const std::string& name : report.names)
-      text << ',' << quoted(name);
+      text << ',' << csv_of(name);
     text << '\n';
     for(std::size_t i = 0; i != report.names.size(); ++i)
     {
-      text << quoted(report.names[i]);
+      text << csv_of(report.names[i]);
       for(const double distance : report.distances[i])
         text << ',' << distance;
       text << '\n';
