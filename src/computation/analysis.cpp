@@ -14,8 +14,6 @@
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Reeb_graph/graph_topology.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -70,7 +68,7 @@ void remove_faces(const std::vector<Simplex>& simplices, std::vector<Face>& face
 // Says what is wrong with triangles, whose vertices ascend.
 void count_faults(const Polygons& triangles, const std::vector<Polygon_side>& sides, Complex_counts& counts)
 {
-  boost::disjoint_sets_with_storage<> orientations(2 * triangles.size());
+  Union_find_of_indices orientations(2 * triangles.size());
   std::size_t number_of_vertices = 0;
   for_each_edge(sides, [&](std::size_t begin, std::size_t end) {
     const Polygon_side &one = sides[begin], &other = sides[end - 1];
@@ -81,8 +79,8 @@ void count_faults(const Polygons& triangles, const std::vector<Polygon_side>& si
       return;
     const std::size_t turn = one.is_descending == other.is_descending ? 1 : 0;
     for(const std::size_t orientation : {0, 1})
-      orientations.union_set(2 * one.face + orientation, 2 * other.face + (orientation ^ turn));
-    if(orientations.find_set(2 * one.face) == orientations.find_set(2 * one.face + 1))
+      orientations.unite(2 * one.face + orientation, 2 * other.face + (orientation ^ turn));
+    if(orientations.find(2 * one.face) == orientations.find(2 * one.face + 1))
       counts.first_edge_without_orientation = {one.u, one.v};
   });
   const std::vector<std::size_t> fans = count_fans(triangles, sides, number_of_vertices);

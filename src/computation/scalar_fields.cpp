@@ -9,6 +9,7 @@
 #include "computation/scalar_fields.h"
 
 #include "base/progress_bar.h"
+#include "input/repair_soup.h"
 
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/fields/harmonic_field.h>
@@ -17,9 +18,6 @@
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/property_map.h>
-
-// Before that of compressed graphs, which hides a function that it needs.
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
@@ -41,7 +39,6 @@ namespace reeb_graph_program {
 namespace {
 typedef Surface::Vertex_index Vertex;
 typedef std::vector<std::pair<std::size_t, std::size_t>> Edges;
-constexpr std::size_t no_vertex = static_cast<std::size_t>(-1);
 
 Vertex vertex(const Surface& surface, std::size_t number)
 {
@@ -108,13 +105,13 @@ class Components
 public:
   Components(const Edges& edges, std::size_t number_of_vertices) : numbers_(number_of_vertices)
   {
-    boost::disjoint_sets_with_storage<> sets(number_of_vertices);
+    Union_find_of_indices sets(number_of_vertices);
     for(const auto& [u, v] : edges)
-      sets.union_set(u, v);
+      sets.unite(u, v);
     std::vector<std::size_t> numbers(number_of_vertices, no_vertex); // by representative
     for(std::size_t v = 0; v < number_of_vertices; ++v)
     {
-      std::size_t& number = numbers[sets.find_set(v)];
+      std::size_t& number = numbers[sets.find(v)];
       if(number == no_vertex)
       {
         number = firsts_.size();

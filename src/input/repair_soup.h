@@ -13,7 +13,7 @@
 #include "base/options.h"
 #include "input/Polygon_soup.h"
 
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Reeb_graph/internal/base/arrays.h>
 
 #include <array>
 #include <cstddef>
@@ -27,20 +27,19 @@ namespace reeb_graph_program {
 class Union_find_of_indices
 {
 public:
-  explicit Union_find_of_indices(std::size_t size)
-    : ranks_(size, 0),
-      parents_(size),
-      sets_(ranks_.data(), parents_.data())
+  explicit Union_find_of_indices(std::size_t size) : parents_(size)
   {
     std::iota(parents_.begin(), parents_.end(), std::size_t(0));
   }
-  std::size_t find(std::size_t i) { return sets_.find_set(i); }
-  void unite(std::size_t i, std::size_t j) { sets_.union_set(i, j); }
-  bool is_root(std::size_t i) { return find(i) == i; }
+  std::size_t find(std::size_t i)
+  {
+    return CGAL::Reeb_graph::internal::find_root(i, [&](std::size_t j) -> std::size_t& { return parents_[j]; });
+  }
+  void unite(std::size_t i, std::size_t j) { parents_[find(i)] = find(j); }
+  bool is_root(std::size_t i) const { return parents_[i] == i; }
 
 private:
-  std::vector<std::size_t> ranks_, parents_;
-  boost::disjoint_sets<std::size_t*, std::size_t*> sets_;
+  std::vector<std::size_t> parents_;
 };
 
 // A side of a polygon, by its vertices in ascending order, and which corners of all polygons it has there. The order is
