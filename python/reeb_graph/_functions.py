@@ -173,6 +173,7 @@ def repair(
     Parameters
     ----------
     triangles : (m, 3) array of integers, or a mesh
+        Of a mesh with tetrahedra, their border is taken.
     points : (n, 3) array
     merge : bool
         Whether points that coincide become one, unless an edge would get more than two triangles, or a point several fans

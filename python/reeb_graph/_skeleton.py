@@ -134,7 +134,8 @@ def skeleton(
     Parameters
     ----------
     triangles : (m, 3) array of integers, or a mesh
-        If they are not an oriented manifold surface, a copy is repaired as by `repair` with `all`.
+        If they are not an oriented manifold surface, a copy is repaired as by `repair` with `all`; of tetrahedra, the
+        border is taken.
     points : (n, 3) array
     scalars : (n,) array, or the name of data of the mesh, optional
         A field whose contours give the lines; by default the distance from a tip of each component.

@@ -17,6 +17,7 @@
 #include "computation/scalar_fields.h"
 #include "computation/simplification.h"
 #include "computation/skeleton.h"
+#include "input/assemble_surface.h"
 #include "input/field_input.h"
 #include "input/mesh_formats.h"
 #include "input/repair_soup.h"
@@ -268,11 +269,13 @@ auto mesh_arrays(Graph_of_arrays& graph)
 
 std::vector<double> values_of(const Scalar_map& map) { return {map.begin(), map.end()}; }
 
-// Repairs the mesh if that is wanted, and it is no surface or is to lose components.
+// Repairs the mesh if that is wanted, and it is no surface or is to lose components; of tetrahedra, the border is taken.
 Mesh make_surface(Polygon_soup soup,
                   const std::string& what,
                   const std::optional<Repair_options>& repairs = std::nullopt)
 {
+  if(repairs && repairs->is_split && !soup.tetrahedra.empty())
+    take_border_of_tetrahedra(soup);
   Mesh mesh = make_mesh(soup);
   if(repairs && is_to_be_repaired(soup, mesh, *repairs))
   {
@@ -511,6 +514,8 @@ py::object repair(const Mesh_arrays& arrays, std::size_t number_of_points, const
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int64_t> map;
   run([&] {
+    if(!soup.tetrahedra.empty())
+      take_border_of_tetrahedra(soup);
     Input_findings unused;
     leave_out_degenerate_faces(soup.polygons, unused);
     leave_out_repeated_faces(soup, unused);

@@ -135,6 +135,37 @@ def test_repair(tmp_path):
         reeb_graph.repair(TRIANGLES)
 
 
+def test_components_without_a_source():
+    triangles, points = meshes.grid(4, 4)
+    two = np.concatenate([triangles, triangles + 16]), np.concatenate([points, points + 5])
+    for name, options in (("geodesic", {"sources": 0}), ("poisson", {"sources": 0}), ("harmonic", {"minimum": 0, "maximum": 15})):
+        function = getattr(reeb_graph, name)
+        with pytest.raises(ValueError, match="component 1, that of vertex 16, has no vertex whose value is given"):
+            function(*two, **options)
+        field = function(*two, unreached="nan", **options)
+        assert np.allclose(field[:16], function(triangles, points, **options), atol=1e-12) and np.isnan(field[16:]).all()
+        with pytest.raises(ValueError, match="unreached is one of error, nan, not 'zero'"):
+            function(*two, unreached="zero", **options)
+    distances = reeb_graph.geodesic([], np.zeros((3, 3)), edges=[[0, 1]], sources=0, unreached="nan")
+    assert np.array_equal(distances, [0, 0, np.nan], equal_nan=True)
+
+
+def test_borders_of_tetrahedra(tmp_path):
+    tetrahedra, points = meshes.tetrahedra_of_cubes(2)
+    meshes.write_medit(tmp_path / "cube.mesh", tetrahedra, points)
+    cube = reeb_graph.read(tmp_path / "cube.mesh")
+    border = reeb_graph.repair(cube, unused=True)
+    assert len(border.triangles) == 48 and len(border.points) == 26  # of 27 points, one is inside
+    a, b, c = np.moveaxis(border.points[border.triangles], 1, 0)
+    assert np.isclose(np.einsum("ij,ij->", a, np.cross(b, c)) / 6, 8)
+    meshes.run("repair", tmp_path / "cube.mesh", "--unused", "--output", tmp_path / "cube.off")
+    assert np.array_equal(reeb_graph.read(tmp_path / "cube.off").triangles, border.triangles)
+    assert reeb_graph.skeleton(cube).counts == reeb_graph.skeleton(border.triangles, border.points).counts
+    for function, options in ((reeb_graph.skeleton, {"strict": True}), (reeb_graph.handles, {})):
+        with pytest.raises(ValueError, match="the mesh has tetrahedra; reeb_graph repair takes their border"):
+            function(cube, **options)
+
+
 def test_levels(tmp_path, mesh_file):
     scalars = POINTS[:, 0] + 0.3 * np.sin(5 * POINTS[:, 1])
     level = [float(scalars[7]), 0.1, 50.0]
