@@ -243,7 +243,7 @@ private:
   Halved_faces faces_;         // with area
   Halved_faces::Face nearest_; // to the last point
   // A search looks at all triangles of a fan that its place is in. After too many, points stay where they are.
-  static constexpr std::size_t most_steps = 40'000'000;
+  static constexpr std::size_t most_steps = 15'000'000;
   std::size_t number_of_steps_ = 0;
 };
 
