@@ -192,6 +192,8 @@ public:
       is_changed = is_changed || (options_.is_largest_kept && keep_largest());
       is_changed = is_changed || (options_.are_faces_oriented && turn_solids());
     }
+    if(options_.is_largest_kept) // also where these turns did not suffice
+      keep_largest();
     if(options_.are_coinciding_points_merged || options_.distance)
       count_unmerged_points();
     if(options_.are_unused_points_left_out)

@@ -687,12 +687,13 @@ void test_cancelling(std::size_t seed)
   check(is_right, "other faces are cancelled with seed " + std::to_string(seed));
 }
 
-// Any faces on few places, all of them on top of each other: the result is a surface, of what was there, where the map says.
+// Any faces on few places, all of them on top of each other, or on many: the result is a surface, of what was there, where
+// the map says.
 void test_anything(std::size_t seed)
 {
   Random random(seed);
   Polygon_soup soup;
-  const std::size_t number_of_points = 4 + random.below(12), width = 2 + random.below(3);
+  const std::size_t number_of_points = 4 + random.below(12), width = 2 + random.below(random.below(2) == 0 ? 3 : 12);
   for(std::size_t v = 0; v < number_of_points; ++v)
     soup.points.emplace_back(double(random.below(width)), double(random.below(width)), double(random.below(width)));
   for(std::size_t i = 1 + random.below(40); i > 0; --i)
@@ -706,9 +707,13 @@ void test_anything(std::size_t seed)
   options.are_opposite_faces_cancelled = random.below(2) == 0;
   options.are_coinciding_points_merged = random.below(2) == 0;
   options.most_filled_edges = random.below(2) == 0 ? 0 : 3 + random.below(6);
+  options.is_largest_kept = random.below(2) == 0;
   const Repair_result result = repair_soup(soup, options);
   const std::string name = " with seed " + std::to_string(seed);
   check(result.counts.result.is_surface(), "there is no surface" + name);
+  const std::vector<std::size_t> components = components_of_polygons(soup.polygons, soup.points.size());
+  check(!options.is_largest_kept || std::set<std::size_t>(components.begin(), components.end()).size() <= 1,
+        "another component is kept" + name);
   bool is_right = result.new_vertices.size() == given.points.size() && result.old_vertices.size() == soup.points.size();
   for(std::size_t v = 0; is_right && v < given.points.size(); ++v)
     if(const std::size_t now = result.new_vertices[v]; now != no_vertex)
@@ -732,7 +737,7 @@ void test_anything(std::size_t seed)
   };
   const double area = area_of(soup), area_before = area_of(given);
   if(!options.are_opposite_faces_cancelled && result.counts.faces_repeated_by_merging == 0
-     && options.most_filled_edges == 0)
+     && options.most_filled_edges == 0 && !options.is_largest_kept)
     check(std::abs(area - area_before) < 1e-9 * (1 + area), "area is lost" + name);
 }
 
