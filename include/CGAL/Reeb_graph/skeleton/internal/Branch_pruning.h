@@ -189,7 +189,8 @@ private:
   {
     const auto is_small = [&](const Inner_ball& ball) {
       return branch.persistence < ratio_ / 2 * ball.radius
-          || distance(graph_.point(tip), ball.center) < (1 + ratio_) * ball.radius;
+          || (branch.persistence < 2 * ratio_ * ball.radius
+              && distance(graph_.point(tip), ball.center) < (1 + ratio_) * ball.radius);
     };
     const auto is_near = [&](const Inner_ball& ball) {
       return distance(graph_.point(branch.end), ball.center) < 1.5 * ball.radius;

@@ -127,7 +127,11 @@ private:
         return; // Faces without area have no side.
       const Vector down = inwards / size;
       if(f == g || !(depth > 0))
-        depth = tree_.clearance(p, down, {f, g}, 4 * (depth > 0 ? depth : tree_.size())) / 2;
+      {
+        const double reach = 4 * (depth > 0 ? depth : tree_.size()), clearance = tree_.clearance(p, down, {f, g}, reach);
+        // On the other side of what has no volume nothing is seen.
+        depth = clearance < reach || tree_.is_inside(p + reach / 2 * down) ? clearance / 2 : 1e-6 * tree_.size();
+      }
       way.push_back({{p + depth * down}, down, depth, p, {f, g}});
     };
     add(tree_.center(path.begin), tree_.inward_normal(path.begin), path.begin, path.begin);
