@@ -50,6 +50,15 @@ public:
     }
   }
 
+  template <class IsSolid>
+  Voxel_solid(int size, const IsSolid& is_solid) : size_(size)
+  {
+    for_each_cell(0, size, [&](const Cell& cell) {
+      if(is_solid(cell))
+        cubes_.insert(cell);
+    });
+  }
+
   // Two triangles for each square, seen from outside counterclockwise.
   generated_surfaces::Triangle_soup surface() const
   {

@@ -179,7 +179,7 @@ private:
     // The trunk's contour at a hand or foot is that of all fingers or toes: each is compared with its own one.
     const double length = graph_.sample_beside(branch.arcs.back(), branch.end).shape.length;
     const double own = std::clamp(length / (2 * pi), radius / 4, radius);
-    return branch.persistence < ratio_ * own || protrusion < ratio_ * radius || is_bump(tip, branch.persistence)
+    return branch.persistence <= ratio_ * own || protrusion < ratio_ * radius || is_bump(tip, branch.persistence)
         || is_across_tube(branch, tip, length);
   }
 

@@ -128,10 +128,14 @@ private:
       const Vector down = inwards / size;
       if(f == g || !(depth > 0))
       {
-        const double reach = 4 * (depth > 0 ? depth : tree_.size()), clearance = tree_.clearance(p, down, {f, g}, reach);
+        const double reach = 4 * (depth > 0 ? depth : tree_.size()),
+                     clearance = tree_.clearance(p, down, {f, g}, reach);
         // On the other side of what has no volume nothing is seen.
         depth = clearance < reach || tree_.is_inside(p + reach / 2 * down) ? clearance / 2 : 1e-6 * tree_.size();
       }
+      // Rays miss edges by rounding.
+      while(depth > 1e-9 * tree_.size() && tree_.distance_from(p + depth * down, p) < 1e-6 * depth)
+        depth /= 2;
       way.push_back({{p + depth * down}, down, depth, p, {f, g}});
     };
     add(tree_.center(path.begin), tree_.inward_normal(path.begin), path.begin, path.begin);
