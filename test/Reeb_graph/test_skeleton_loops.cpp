@@ -255,9 +255,8 @@ BOOST_AUTO_TEST_CASE(loops_of_solids_of_cubes_are_a_basis)
 // Channels lead through a cube, two by two in each direction.
 BOOST_AUTO_TEST_CASE(loops_of_turned_sponges_are_a_basis)
 {
-  const Voxel_solid sponge(5,
-                           [](const Voxel_solid::Cell& cell) { return cell[0] % 2 + cell[1] % 2 + cell[2] % 2 < 2; });
-  const Triangle_soup soup = sponge.surface();
+  const auto is_solid = [](const auto& cell) { return cell[0] % 2 + cell[1] % 2 + cell[2] % 2 < 2; };
+  const Triangle_soup soup = Voxel_solid::of_cells(5, is_solid).surface();
   for(const double angle : {0., 0.3, 1.2, 2.5})
     BOOST_TEST(check_basis(turned(soup, angle, 2 * angle)) == 28u);
 }

@@ -349,6 +349,33 @@ BOOST_AUTO_TEST_CASE(faces_cut_at_random_make_no_ends)
   }
 }
 
+// Nor does a fat ring get any, whose fronts meet at its far side.
+BOOST_AUTO_TEST_CASE(tori_have_no_ends)
+{
+  for(std::size_t seed = 0; seed != 60; ++seed)
+  {
+    random_meshes::Random random(seed);
+    const double radius = in(0.2, 0.9, random), share = in(0, 1, random), pi = std::acos(-1.);
+    const std::size_t around = 8 + random.below(24), along = around + 8 + random.below(40);
+    BOOST_TEST_CONTEXT("seed " << seed << ", radius " << radius)
+    {
+      const Triangle_soup soup =
+        generated_surfaces::internal::grid(around, along, true, true, [&](std::size_t column, std::size_t row) {
+          const double t = 2 * pi * static_cast<double>(row) / static_cast<double>(along),
+                       u = 2 * pi * static_cast<double>(column) / static_cast<double>(around),
+                       rho = 1 + radius * std::cos(u);
+          return Point{rho * std::cos(t), rho * std::sin(t), radius * std::sin(u)};
+        });
+      Skeleton skeleton;
+      const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(moved(cut(soup, share, random), random, 1));
+      const auto known = extract_curve_skeleton(mesh, skeleton);
+      BOOST_TEST(known.number_of_ends == 0u);
+      BOOST_TEST(known.number_of_loops == 1u);
+      BOOST_TEST(known.number_of_contractible_loops == 0u);
+    }
+  }
+}
+
 // Tips of what is round or pointed stay vertices of the surface.
 BOOST_AUTO_TEST_CASE(tips_of_round_and_pointed_ends_stay)
 {

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
@@ -50,13 +51,15 @@ public:
     }
   }
 
-  template <class IsSolid>
-  Voxel_solid(int size, const IsSolid& is_solid) : size_(size)
+  // The cells of a grid for which a function is true, which make a manifold.
+  static Voxel_solid of_cells(int size, const std::function<bool(const Cell&)>& is_solid)
   {
+    Voxel_solid solid(size);
     for_each_cell(0, size, [&](const Cell& cell) {
       if(is_solid(cell))
-        cubes_.insert(cell);
+        solid.cubes_.insert(cell);
     });
+    return solid;
   }
 
   // Two triangles for each square, seen from outside counterclockwise.
@@ -107,6 +110,8 @@ public:
   }
 
 private:
+  explicit Voxel_solid(int size) : size_(size) {}
+
   typedef std::set<std::pair<Cell, std::size_t>> Chain; // edges, by their lower end and axis
 
   static Cell moved(Cell cell, std::size_t axis, int step)

@@ -183,32 +183,35 @@ private:
         || is_across_tube(branch, tip, length);
   }
 
-  // Whether a branch is short beside a ball inside of the surface where it leaves the trunk, or its tip hardly protrudes from that.
-  // Most branches of noise go so: contours need not be measured, which can be as long as the surface is large.
+  // Whether a branch is short beside a ball inside of the surface near where it leaves the trunk, or its tip hardly protrudes from
+  // that. Most branches of noise go so: contours need not be measured, which can be as long as the surface is large. A ball that
+  // is not quite where a long branch leaves can be the last one of a tube, which its end does not protrude from.
   bool is_beside_large_ball(const Branch& branch, Index tip)
   {
-    const auto is_small = [&](const Inner_ball& ball) {
-      return branch.persistence < ratio_ / 2 * ball.radius
-          || (branch.persistence < 2 * ratio_ * ball.radius
-              && distance(graph_.point(tip), ball.center) < (1 + ratio_) * ball.radius);
+    const auto is_within = [&](double share, const Inner_ball& ball) {
+      return distance(graph_.point(branch.end), ball.center) < share * ball.radius;
     };
-    const auto is_near = [&](const Inner_ball& ball) {
-      return distance(graph_.point(branch.end), ball.center) < 1.5 * ball.radius;
+    const auto is_small = [&](const Inner_ball& ball, bool is_there) {
+      return branch.persistence < ratio_ / 2 * ball.radius
+          || ((is_there || branch.persistence < 2 * ratio_ * ball.radius)
+              && distance(graph_.point(tip), ball.center) < (1 + ratio_) * ball.radius);
     };
     bool is_known = false;
     for(const Inner_ball& ball : balls_)
-      if(is_near(ball))
+      if(is_within(1.5, ball))
       {
-        is_known = true;
-        if(is_small(ball))
+        const bool is_there = is_within(1.1, ball);
+        is_known = is_known || is_there;
+        if(is_small(ball, is_there))
           return true;
       }
     if(is_known)
       return false;
     const Inner_ball ball = tree_.ball_beneath(graph_.vertex(branch.end));
-    if(is_near(ball))
-      balls_.push_back(ball);
-    return is_near(ball) && is_small(ball);
+    if(!is_within(1.5, ball))
+      return false;
+    balls_.push_back(ball);
+    return is_small(ball, true);
   }
 
   // Whether a ball touches both ends of a branch, and the contour where it leaves the trunk goes around the ball on both
