@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -170,10 +171,17 @@ private:
       rays.push_back(closest.first + t * (tree_.center(closest.second) - closest.first) - p);
     for(int i = 0; i != 27; ++i)
       rays.push_back(Vector(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+    std::optional<std::pair<Point, Mesh::Face_index>> first;
     for(const Vector& ray : rays)
       if(const auto seen = tree_.first_seen(p, ray))
-        return *seen;
-    return closest;
+      {
+        // Rounding puts what is right at an edge on either side of that.
+        const auto inner = tree_.first_seen(p, CGAL::midpoint(seen->first, tree_.center(seen->second)) - p);
+        if(inner && inner->second == seen->second)
+          return *inner;
+        first = first ? first : seen;
+      }
+    return first.value_or(closest);
   }
 
   // Brings the ends of segments that cross the surface nearer to it until none does, and, if that is asked, until nothing is
