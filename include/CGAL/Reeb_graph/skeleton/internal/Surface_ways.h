@@ -175,9 +175,10 @@ private:
     for(const Vector& ray : rays)
       if(const auto seen = tree_.first_seen(p, ray))
       {
-        // Rounding puts what is right at an edge on either side of that.
+        // Rounding puts what is right at an edge, or in the plane of the face, on either side of that.
         const auto inner = tree_.first_seen(p, CGAL::midpoint(seen->first, tree_.center(seen->second)) - p);
-        if(inner && inner->second == seen->second)
+        if(inner && inner->second == seen->second
+           && (p - inner->first) * tree_.inward_normal(inner->second) > 1e-3 * distance(p, inner->first))
           return *inner;
         first = first ? first : seen;
       }
