@@ -47,17 +47,17 @@ public:
 
   bool empty() const { return faces_.empty(); }
 
-  // Calls look(face) for faces, among which are all that are nearer than the least squared distance, which look() lowers.
+  // Calls look(face) for faces, among which are all that are at most at the least squared distance, which look() lowers.
   template <class Look>
   void search(const Point& point, const double& least, const Look& look, std::size_t number = 0)
   {
-    if(squared_distance(parts_[number].box, point) >= least)
+    if(squared_distance(parts_[number].box, point) > least)
       return;
     constexpr std::size_t most_faces = 16; // of a part that is not halved
     if(parts_[number].end - parts_[number].begin <= most_faces)
     {
       for(std::size_t i = parts_[number].begin; i != parts_[number].end; ++i)
-        if(squared_distance(faces_[i].box, point) < least)
+        if(squared_distance(faces_[i].box, point) <= least)
           look(faces_[i]);
       return;
     }
@@ -78,6 +78,7 @@ private:
     std::size_t first_half = 0; // its number, before that of the second one; 0 if there are none yet
   };
 
+  // At most that of a place in the box, whatever rounding makes of that.
   static double squared_distance(const CGAL::Bbox_3& box, const Point& point)
   {
     double sum = 0;
@@ -86,11 +87,9 @@ private:
       const double way = (std::max)((std::max)(box.min(i) - point[i], point[i] - box.max(i)), 0.);
       sum += way * way;
     }
-    return sum;
+    return (1 - 1e-12) * sum;
   }
 
-  // Faces with equal coordinates go by number: std::nth_element() puts those in another order in each standard library,
-  // and the order of the parts decides among places that are equally near.
   void halve(std::size_t number)
   {
     const Part whole = parts_[number];
@@ -101,8 +100,7 @@ private:
     const std::size_t middle = whole.begin + (whole.end - whole.begin) / 2;
     std::nth_element(faces_.data() + whole.begin, faces_.data() + middle, faces_.data() + whole.end,
                      [axis](const Face& f, const Face& g) {
-                       const double p = f.box.min(axis) + f.box.max(axis), q = g.box.min(axis) + g.box.max(axis);
-                       return p < q || (p == q && f.index < g.index);
+                       return f.box.min(axis) + f.box.max(axis) < g.box.min(axis) + g.box.max(axis);
                      });
     parts_[number].first_half = parts_.size();
     for(const auto& [begin, end] : {std::pair(whole.begin, middle), std::pair(middle, whole.end)})
@@ -160,7 +158,8 @@ public:
       ++number_of_steps_;
       const Point other = place_on_face(point, face);
       const double other_distance = (point - other).squared_length();
-      if(!(other_distance < least))
+      // Of faces that are equally near the first one counts, whichever one was near to the point before.
+      if(other_distance > least || (other_distance == least && face.index >= nearest_.index))
         return;
       least = other_distance;
       place = other;
