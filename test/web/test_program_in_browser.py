@@ -215,7 +215,7 @@ def test_command_line():
     run_command("demo --out demo")
     assert "demo/surface.off" in result()["files"], result()["files"].keys()
     run_command("compute missing.off --field z")
-    assert "missing.off: the file cannot be read" in browser.find_element(By.ID, "failure").text
+    assert "missing.off: there is no such file" in browser.find_element(By.ID, "failure").text
 
 
 def test_drop_and_broken_file():

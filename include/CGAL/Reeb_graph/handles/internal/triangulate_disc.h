@@ -288,6 +288,20 @@ private:
   const IsJoined& is_joined_;
 };
 
+// Points in a unit in which those of `polyline` are near 1: else products of coordinates can be 0, or infinite.
+inline std::vector<Disc_point> in_unit_of(const std::vector<Disc_point>& polyline,
+                                          const std::vector<Disc_point>& points)
+{
+  double greatest = 0;
+  for(const Disc_point& p : polyline)
+    greatest = (std::max)({greatest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  const int exponent = greatest > 0 && std::isfinite(greatest) ? -std::ilogb(greatest) : 0;
+  std::vector<Disc_point> result;
+  for(const Disc_point& p : points)
+    result.emplace_back(std::scalbn(p.x(), exponent), std::scalbn(p.y(), exponent), std::scalbn(p.z(), exponent));
+  return result;
+}
+
 // A disc of triangles with little area that spans a closed polyline, by positions of its points, and whose inner edges join no
 // positions for which is_joined() holds. Empty if there is none, or if the polyline has less than 3 points. `third_points`, if
 // there are any, are those of the triangles that its segments have on one side: the disc avoids to fold back on these. Takes
@@ -297,7 +311,10 @@ Disc_triangles triangulate_disc(const std::vector<Disc_point>& polyline,
                                 const std::vector<Disc_point>& third_points,
                                 const IsJoined& is_joined)
 {
-  return polyline.size() < 3 ? Disc_triangles() : Disc_spanning<IsJoined>(polyline, is_joined).span(third_points);
+  if(polyline.size() < 3)
+    return {};
+  const auto scaled = in_unit_of(polyline, polyline);
+  return Disc_spanning<IsJoined>(scaled, is_joined).span(in_unit_of(polyline, third_points));
 }
 
 } // namespace CGAL::Reeb_graph::internal
