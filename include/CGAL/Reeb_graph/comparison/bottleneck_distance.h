@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -65,28 +66,23 @@ public:
     }
   }
 
-  // The bits of a number that is not negative are in its order: so the least one is found exactly.
+  // The bits of a number that is not negative are in its order: so the least one is found exactly. Everything can be
+  // covered from an infinite distance.
   double distance() const
   {
+    double distance = std::numeric_limits<double>::infinity();
     std::uint64_t low = 0, high = 0;
-    double farthest = 0;
-    for(const Pairs& pairs : pairs_)
-      for(const Persistence_values& pair : pairs)
-        farthest = (std::max)(farthest, half_persistence(pair));
-    std::memcpy(&high, &farthest, sizeof high);
-    while(low < high)
+    for(std::memcpy(&high, &distance, sizeof high); low < high;)
     {
       const std::uint64_t middle = low + (high - low) / 2;
-      double distance = 0;
       std::memcpy(&distance, &middle, sizeof distance);
       if(can_be_covered(pairs_[0], pairs_[1], distance) && can_be_covered(pairs_[1], pairs_[0], distance))
         high = middle;
       else
         low = middle + 1;
     }
-    double result = 0;
-    std::memcpy(&result, &low, sizeof result);
-    return result;
+    std::memcpy(&distance, &low, sizeof distance);
+    return distance;
   }
 
 private:
@@ -107,7 +103,7 @@ private:
   {
     const std::size_t none = from.size();
     std::vector<std::size_t> partner(to.size(), none), reached_by(to.size(), none), reached_from(to.size());
-    std::vector<std::size_t> own(from.size()), queue;
+    std::vector<std::size_t> own(from.size(), to.size()), queue;
     for(std::size_t i = 0; i != from.size(); ++i)
     {
       if(half_persistence(from[i]) <= distance)
@@ -131,13 +127,10 @@ private:
       }
       if(end == to.size())
         return false;
-      for(bool is_done = false; !is_done;)
+      while(end != to.size())
       {
-        const std::size_t changed = reached_from[end], next = own[changed];
-        is_done = changed == i;
-        partner[end] = changed;
-        own[changed] = end;
-        end = next;
+        const std::size_t changed = partner[end] = reached_from[end];
+        end = std::exchange(own[changed], end);
       }
     }
     return true;

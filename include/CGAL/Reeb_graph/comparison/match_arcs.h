@@ -67,34 +67,32 @@ struct Compared_arc
 inline double part_of(double number, double sum) { return sum > 0 ? number / sum : 0; }
 
 // The arcs of a graph in their order.
-template <class GraphOnMesh, class NamedParameters>
+template <class GraphOnMesh>
 std::vector<Compared_arc> compared_arcs(const typename GraphOnMesh::Graph& graph,
-                                        const Basic_augmentation<GraphOnMesh>& augmentation,
-                                        const NamedParameters& np)
+                                        const Basic_augmentation<GraphOnMesh>& augmentation)
 {
   if(num_edges(graph) > most_matched_arcs)
     throw Too_many_arcs_error(num_edges(graph));
-  const std::vector<double> lengths = arc_lengths(augmentation, np),
-                            areas = arc_areas(augmentation, augmentation.locate_vertices(), np);
+  const std::vector<double> lengths = arc_lengths(augmentation),
+                            areas = arc_areas(augmentation, augmentation.locate_vertices());
   const double length = std::accumulate(lengths.begin(), lengths.end(), 0.),
                area = std::accumulate(areas.begin(), areas.end(), 0.);
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
-  const auto value = [&](const auto node) { return augmentation.value(graph[node].vertex); };
-  for(const auto node : CGAL::make_range(vertices(graph)))
-  {
-    least = (std::min)(least, value(node));
-    greatest = (std::max)(greatest, value(node));
-  }
-  if(!std::isfinite(greatest - least) && num_edges(graph) != 0)
-    throw Parameter_error("the range of the field is not finite");
   std::vector<Compared_arc> arcs;
+  if(num_edges(graph) == 0)
+    return arcs;
+  const auto value = [&](const auto node) { return augmentation.value(graph[node].vertex); };
+  const auto [lowest, highest] = std::minmax_element(vertices(graph).first, vertices(graph).second,
+                                                     [&](auto a, auto b) { return value(a) < value(b); });
+  const double least = value(*lowest), range = value(*highest) - least;
+  if(!std::isfinite(range))
+    throw Parameter_error("the range of the field is not finite");
   for(const auto arc : CGAL::make_range(edges(graph)))
   {
     const auto lower = source(arc, graph), upper = target(arc, graph);
     const std::size_t i = arcs.size();
-    arcs.push_back({degree(lower, graph) == 1, degree(upper, graph) == 1,
-                    part_of(value(lower) - least, greatest - least), part_of(value(upper) - least, greatest - least),
-                    part_of(lengths[i], length), std::sqrt(part_of(areas[i], area))});
+    arcs.push_back({degree(lower, graph) == 1, degree(upper, graph) == 1, part_of(value(lower) - least, range),
+                    part_of(value(upper) - least, range), part_of(lengths[i], length),
+                    std::sqrt(part_of(areas[i], area))});
   }
   return arcs;
 }
@@ -234,21 +232,16 @@ OutputIterator match_arcs(const typename GraphOnMeshA::Graph& graph_a,
   const double price_alone = internal::parameter_or(np, internal::price_alone, 1.);
   if(!(price_alone >= 0))
     throw Parameter_error("price_alone is not a number from 0");
-  const auto points = parameters::default_values();
-  const std::vector<std::size_t> found =
-    internal::match(internal::compared_arcs(graph_a, augmentation_a, points),
-                    internal::compared_arcs(graph_b, augmentation_b, points), price_alone)
-      .partners;
+  const std::vector<std::size_t> found = internal::match(internal::compared_arcs(graph_a, augmentation_a),
+                                                         internal::compared_arcs(graph_b, augmentation_b), price_alone)
+                                           .partners;
   const auto [first_b, last_b] = edges(graph_b);
   const std::vector<typename boost::graph_traits<typename GraphOnMeshB::Graph>::edge_descriptor> arcs_b(first_b,
                                                                                                         last_b);
   std::size_t i = 0;
   for(const auto arc : CGAL::make_range(edges(graph_a)))
-  {
-    if(found[i] != arcs_b.size())
-      *partners++ = std::make_pair(arc, arcs_b[found[i]]);
-    ++i;
-  }
+    if(const std::size_t partner = found[i++]; partner != arcs_b.size())
+      *partners++ = std::make_pair(arc, arcs_b[partner]);
   return partners;
 }
 

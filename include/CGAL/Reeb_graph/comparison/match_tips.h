@@ -64,8 +64,7 @@ public:
     if(far_apart.size() != 1)
       return;
     tips_.push_back(find_end(far_apart.front().first));
-    see_from(0);
-    for(std::size_t i = 1; i < tips_.size(); ++i)
+    for(std::size_t i = 0; i != tips_.size(); ++i) // The first one adds others.
       see_from(i);
   }
 
@@ -120,7 +119,7 @@ private:
     const auto simplification = simplify(given, suggested == thresholds.end() ? 0 : suggested->threshold, graph);
     const Augmentation<Mesh, Distance_map> augmentation(mesh_, distance, graph,
                                                         parameters::simplification(simplification));
-    arcs_.push_back(compared_arcs(graph, augmentation, parameters::default_values()));
+    arcs_.push_back(compared_arcs(graph, augmentation));
     if(i == 0)
       for(const auto node : CGAL::make_range(vertices(graph)))
         if(degree(node, graph) == 1 && graph[node].vertex != tips_[0])
