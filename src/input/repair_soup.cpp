@@ -224,7 +224,8 @@ private:
       if(options_.are_faces_oriented) // before faces are paired across gaps outside
       {
         orient();
-        turn_solids();
+        if(options_.most_filled_edges == 0) // What is filled later may be around what is closed.
+          turn_solids();
       }
       if(options_.is_split)
         add_points(split_at_pairs(soup_, pair_faces(soup_), result_.counts));

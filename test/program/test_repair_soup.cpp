@@ -536,17 +536,25 @@ void test_pieces()
         "other pieces are left out");
   check(std::count(result.new_vertices.begin(), result.new_vertices.end(), no_vertex) == 16,
         "the map of pieces is wrong");
+  // The border of a face that is left out is filled before solids are turned.
   for(const bool is_outer_turned : {false, true})
     for(const bool is_inner_turned : {false, true})
-    {
-      Polygon_soup nested;
-      add_box(nested, {0, 0, 0}, {3, 3, 3}, is_outer_turned);
-      add_box(nested, {1, 1, 1}, {2, 2, 2}, is_inner_turned);
-      const Repair_result turned = repair_soup(nested, all_options());
-      check(std::abs(signed_volume(nested) - (is_outer_turned == is_inner_turned ? 28 : 26)) < 1e-9
-              && turned.counts.turned_solids == (is_outer_turned ? 1u : 0u),
-            "nested cubes have another volume");
-    }
+      for(const std::size_t left_out : {24, 0, 12})
+      {
+        Polygon_soup boxes, nested;
+        add_box(boxes, {0, 0, 0}, {3, 3, 3}, is_outer_turned);
+        add_box(boxes, {1, 1, 1}, {2, 2, 2}, is_inner_turned);
+        nested.points = boxes.points;
+        for(std::size_t face = 0; face < boxes.polygons.size(); ++face)
+          if(face != left_out)
+            nested.polygons.add(boxes.polygons[face]);
+        Repair_options filling = all_options();
+        filling.most_filled_edges = left_out == 24 ? 0 : 3;
+        const Repair_result turned = repair_soup(nested, filling);
+        check(std::abs(signed_volume(nested) - (is_outer_turned == is_inner_turned ? 28 : 26)) < 1e-9
+                && turned.counts.turned_solids == (is_outer_turned ? 1u : 0u),
+              "nested cubes have another volume");
+      }
 }
 
 // A prism, each face of which has its own points on its edges, which are cut at any places, and a center: no two faces agree
