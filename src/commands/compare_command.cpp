@@ -57,12 +57,14 @@ std::vector<Input_options> inputs_of(const Compare_options& options)
   const std::size_t number = options.mesh_paths.size();
   if(number < 2)
     throw std::runtime_error("compare needs two meshes or more");
-  for(const auto& [name, given] :
-      {std::make_pair("--source", options.sources.size()), std::make_pair("--scalars", options.scalars_paths.size())})
+  const auto check_number = [number](const std::string& name, std::size_t given) {
     if(given > 1 && given != number)
-      throw std::runtime_error(std::string(name) + " is given once for all meshes, or once for each: there are "
+      throw std::runtime_error(name + " is given once for all meshes, or once for each: there are "
                                + std::to_string(number) + " meshes, and it is given " + std::to_string(given)
                                + " times");
+  };
+  check_number("--source", options.sources.size());
+  check_number("--scalars", options.scalars_paths.size());
   std::vector<Input_options> inputs(number, options.input);
   for(std::size_t i = 0; i != number; ++i)
   {
