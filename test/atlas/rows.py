@@ -25,7 +25,7 @@ POWERS |= {"contour_length": 1, "spread": 1}
 # How much may change where what is computed is no exact number of the shape, as a share.
 ROOMS = {"skeleton": 0.1, "py_skeleton": 0.1, "handles": 0.03, "py_handles": 0.03}
 # What holds for each shape, beside that what begins with is_ or are_ is true.
-RULES = dict.fromkeys(("contractible_loops", "vertices_outside", "crossing_edges", "radii_of_0", "long_steps", "vertices_wrong"), 0)
+RULES = dict.fromkeys(("contractible_loops", "vertices_outside", "crossing_edges", "radii_of_0", "long_steps", "vertices_wrong", "distances_to_itself"), 0)
 CERTIFICATE = ("contractible_loops", "vertices_outside", "crossing_edges")
 RULES |= {"borders_not_level": 0, "genus_left": 0, "range_of_it": 1.0}
 
@@ -100,6 +100,12 @@ def skeleton(case):
     if case.measured["borders"] == 0 and not case.truths["repair"]:
         result["is_turned_said"] = (((found["input"] or {}).get("inside_out_solids") or 0) > 0) == case.name.endswith("/inside_out")
     return result | {"radii_of_0": int((np.loadtxt(case.path("lines.swc"), ndmin=2)[:, 5] <= 0).sum())}
+
+def compare(case):
+    """A shape with itself, by the program and from Python."""
+    found, graph = run("compare", case.file, case.file, *height(case)), reeb_graph.compute(case.triangles, case.heights, points=case.points)
+    distances = found["distance"], reeb_graph.compare(graph, graph).distance
+    return {"distances_to_itself": max(distances), "are_all_partners": not any(found["without_partner"])}
 
 def demo(case):
     """Needs no shape: it runs for one only."""
@@ -204,7 +210,7 @@ def remove_handles(case):
     both = read_off(case.path("without.off"))[0], reeb_graph.remove_handles(case.triangles, case.points, number=1000).triangles
     return {"genus_left": sum(measures.topology(triangles)["genus"] for triangles in both)}
 
-ALONE = (repair, compute, field, contour, handles, skeleton, demo, py_read, py_compute, py_geodesic)
+ALONE = (repair, compute, field, contour, compare, handles, skeleton, demo, py_read, py_compute, py_geodesic)
 ALONE += (py_harmonic, py_fields, py_make_borders_level, py_handles, remove_handles, py_skeleton)
 ROWS = {function.__name__: function for function in ALONE}
 for kind in ("cutting_system", "pants", "branch", "levels", "disks"):
