@@ -27,7 +27,7 @@ install(FILES ${PROJECT_BINARY_DIR}/CGAL_Reeb_graphConfig.cmake
 set(macros -DCGAL_REEB_GRAPH_COMPILED)
 set(required CGAL_Reeb_graph)
 if(TARGET CGAL::TBB_support)
-  string(APPEND macros " -DCGAL_REEB_GRAPH_COMPILED_PARALLEL -DCGAL_LINKED_WITH_TBB")
+  string(APPEND macros " -DCGAL_LINKED_WITH_TBB")
   string(APPEND required " tbb")
 endif()
 if(TARGET CGAL::Eigen3_support)

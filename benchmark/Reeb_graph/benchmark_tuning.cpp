@@ -81,7 +81,7 @@ struct Graph_arrays
 template <class Graph>
 void write(const Graph_arrays& arrays, Graph& graph)
 {
-  CGAL::Reeb_graph::internal::reserve_nodes<CGAL::Sequential_tag>(graph, arrays.nodes.size());
+  CGAL::Reeb_graph::internal::reserve_nodes(CGAL::Reeb_graph::internal::Threads(), graph, arrays.nodes.size());
   for(const Node& node : arrays.nodes)
     add_vertex(node, graph);
   for(std::size_t i = 0; i != arrays.arcs.size(); ++i)

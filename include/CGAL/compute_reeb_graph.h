@@ -37,8 +37,9 @@ struct Checked_surface
 };
 
 // The first stage: the mesh and its field by numbers.
-template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
-auto flatten_for_graph(const FaceListGraph& mesh,
+template <class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+auto flatten_for_graph(const Threads& threads,
+                       const FaceListGraph& mesh,
                        const ScalarMap& scalar_map,
                        const Traits& traits,
                        const NamedParameters& np)
@@ -51,15 +52,19 @@ auto flatten_for_graph(const FaceListGraph& mesh,
   }
   else
   {
-    auto surface = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+    auto surface = flatten_unchecked(threads, mesh, scalar_map, traits, np);
     surface.numbers.number_of = nullptr; // They take memory, and nobody asks for them.
     return surface;
   }
 }
 
 // The stages. `mesh_of` tells by what the numbers of a complex lead back to descriptors.
-template <class ConcurrencyTag, class Flatten, class MeshOf, class ReebGraph, class NamedParameters>
-void run_pipeline(const Flatten& flatten, const MeshOf& mesh_of, ReebGraph& graph, const NamedParameters& np);
+template <class Flatten, class MeshOf, class ReebGraph, class NamedParameters>
+void run_pipeline(const Threads& threads,
+                  const Flatten& flatten,
+                  const MeshOf& mesh_of,
+                  ReebGraph& graph,
+                  const NamedParameters& np);
 
 } // namespace Reeb_graph::internal
 
@@ -203,18 +208,19 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   static_assert(internal::are_met<internal::Graph_is_not_const<ReebGraph>,
                                   internal::Field_and_graph<FaceListGraph, ScalarMap, ReebGraph, Traits>>);
   const auto traits = internal::choose_traits<Default_traits>(np);
-  const auto flatten = [&](auto tag) {
-    return internal::flatten_for_graph<decltype(tag)>(mesh, scalar_map, traits, np);
+  const auto flatten = [&](const internal::Threads& threads) {
+    return internal::flatten_for_graph(threads, mesh, scalar_map, traits, np);
   };
   const auto mesh_of = [&](const auto&) -> const FaceListGraph& { return mesh; };
-  if(internal::is_parallel<ConcurrencyTag>() && num_faces(mesh) < internal::smallest_parallel_mesh)
-    internal::run_pipeline<Sequential_tag>(flatten, mesh_of, graph, np);
-  else
-    internal::run_pipeline<ConcurrencyTag>(flatten, mesh_of, graph, np);
+  internal::Threads threads = internal::threads_of<ConcurrencyTag>();
+  if(threads.are_parallel() && num_faces(mesh) < internal::smallest_parallel_mesh)
+    threads = internal::Threads();
+  internal::run_pipeline(threads, flatten, mesh_of, graph, np);
 }
 
-template <class ConcurrencyTag, class Flatten, class MeshOf, class ReebGraph, class NamedParameters>
-void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
+template <class Flatten, class MeshOf, class ReebGraph, class NamedParameters>
+void Reeb_graph::internal::run_pipeline(const Threads& threads,
+                                        const Flatten& flatten,
                                         const MeshOf& mesh_of,
                                         ReebGraph& graph,
                                         const NamedParameters& np)
@@ -233,14 +239,14 @@ void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
 
   progress.report(0);
   visitor.begin_stage(Stage::FLATTEN);
-  auto [unchecked_complex, numbers, field] = flatten(ConcurrencyTag());
+  auto [unchecked_complex, numbers, field] = flatten(threads);
   const stages::Vertex_order order(field.keys());
   visitor.end_stage(Stage::FLATTEN);
   progress.report(0.2);
 
   visitor.begin_stage(Stage::CLASSIFY);
   using stages::check_and_classify_vertices; // That for soups may come later.
-  auto [complex, critical_vertices] = check_and_classify_vertices<ConcurrencyTag>(std::move(unchecked_complex), order);
+  auto [complex, critical_vertices] = check_and_classify_vertices(threads, std::move(unchecked_complex), order);
   visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
   visitor.end_stage(Stage::CLASSIFY);
   progress.report(0.3);
@@ -249,14 +255,14 @@ void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
   const stages::Stage_progress arcs_progress(progress, 0.3, 0.7);
   stages::Swept_arcs critical_arcs;
   if constexpr(places.are_wanted)
-    critical_arcs = places.template find_arcs<ConcurrencyTag>(complex, order, critical_vertices, arcs_progress);
+    critical_arcs = places.find_arcs(threads, complex, order, critical_vertices, arcs_progress);
   else
     critical_arcs =
-      stages::find_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, arcs_progress);
+      stages::find_arcs(threads, complex, order, critical_vertices, method, number_of_slabs, arcs_progress);
   progress.report(0.7);
-  const stages::Flat_graph flat_graph = stages::reduce_arcs<ConcurrencyTag>(
-    complex, order, critical_vertices, critical_arcs, ties, are_degree_two_nodes_kept, places.are_wanted);
-  places.template find<ConcurrencyTag>(complex, order, critical_vertices, critical_arcs, flat_graph, ties);
+  const stages::Flat_graph flat_graph = stages::reduce_arcs(threads, complex, order, critical_vertices, critical_arcs,
+                                                            ties, are_degree_two_nodes_kept, places.are_wanted);
+  places.find(threads, complex, order, critical_vertices, critical_arcs, flat_graph, ties);
   critical_vertices = stages::Swept_vertices(); // The graph takes much memory.
   critical_arcs = stages::Swept_arcs();
   visitor.end_stage(Stage::ARCS);
@@ -264,7 +270,7 @@ void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
 
   // Not written aside and swapped: to swap graphs of Boost copies them.
   visitor.begin_stage(Stage::WRITE);
-  stages::write_graph<ConcurrencyTag>(mesh_of(complex), complex, numbers, field, flat_graph, graph);
+  stages::write_graph(threads, mesh_of(complex), complex, numbers, field, flat_graph, graph);
   places.write(numbers.vertices);
   visitor.end_stage(Stage::WRITE);
   progress.report_end();
@@ -272,10 +278,10 @@ void Reeb_graph::internal::run_pipeline(const Flatten& flatten,
 
 namespace Reeb_graph::internal {
 
-#define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, TAG, POINT)                                                                \
-  PREFIX template void write_graph<TAG>(const Surface_mesh<POINT>&, const Surface_mesh_complex<POINT>&,                \
-                                        const Mesh_numbers<Surface_mesh<POINT>>&, const Keyed_field<double>&,          \
-                                        const Flat_graph&, Surface_graph<double>&);
+#define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, POINT)                                                                     \
+  PREFIX template void write_graph(const Threads&, const Surface_mesh<POINT>&, const Surface_mesh_complex<POINT>&,     \
+                                   const Mesh_numbers<Surface_mesh<POINT>>&, const Keyed_field<double>&,               \
+                                   const Flat_graph&, Surface_graph<double>&);
 CGAL_REEB_GRAPH_FOR_POINTS(CGAL_REEB_GRAPH_WRITE_GRAPH)
 
 } // namespace Reeb_graph::internal

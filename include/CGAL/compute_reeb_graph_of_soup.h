@@ -23,14 +23,14 @@
 namespace CGAL {
 namespace Reeb_graph::internal {
 
-template <class ConcurrencyTag,
-          std::size_t vertices_per_cell,
+template <std::size_t vertices_per_cell,
           class PointsOrNumber,
           class Cells,
           class Scalars,
           class ReebGraph,
           class NamedParameters>
-void compute_graph_of_cells(const PointsOrNumber& points,
+void compute_graph_of_cells(Threads threads,
+                            const PointsOrNumber& points,
                             const Cells& cells,
                             const Scalars& scalars,
                             ReebGraph& graph,
@@ -41,15 +41,14 @@ void compute_graph_of_cells(const PointsOrNumber& points,
   static_assert(
     are_met<Graph_is_not_const<ReebGraph>, Graph_of_field<ReebGraph, Simplicial_complex, typename Traits::Scalar>>);
   const auto traits = choose_traits<Default_traits>(np);
-  const auto flatten = [&](auto tag) {
-    return flatten_cells<decltype(tag), vertices_per_cell>(points, cells, parameters::get_parameter(np, edges_of_soup),
-                                                           scalars, traits);
+  const auto flatten = [&](const Threads& threads) {
+    return flatten_cells<vertices_per_cell>(threads, points, cells, parameters::get_parameter(np, edges_of_soup),
+                                            scalars, traits);
   };
   const auto mesh_of = [](const Simplicial_complex& complex) -> const Simplicial_complex& { return complex; };
-  if(is_parallel<ConcurrencyTag>() && count_vertices(points) < smallest_parallel_mesh / 2)
-    run_pipeline<Sequential_tag>(flatten, mesh_of, graph, np);
-  else
-    run_pipeline<ConcurrencyTag>(flatten, mesh_of, graph, np);
+  if(threads.are_parallel() && count_vertices(points) < smallest_parallel_mesh / 2)
+    threads = Threads();
+  run_pipeline(threads, flatten, mesh_of, graph, np);
 }
 
 } // namespace Reeb_graph::internal
@@ -132,7 +131,8 @@ void compute_reeb_graph_of_soup(const PointsOrNumber& points,
                                 ReebGraph& graph,
                                 const NamedParameters& np = parameters::default_values())
 {
-  Reeb_graph::internal::compute_graph_of_cells<ConcurrencyTag, 3>(points, triangles, scalars, graph, np);
+  Reeb_graph::internal::compute_graph_of_cells<3>(Reeb_graph::internal::threads_of<ConcurrencyTag>(), points, triangles,
+                                                  scalars, graph, np);
 }
 
 /// \ingroup PkgReebGraphRef
@@ -167,7 +167,8 @@ void compute_reeb_graph_of_tetrahedra(const PointsOrNumber& points,
                                       ReebGraph& graph,
                                       const NamedParameters& np = parameters::default_values())
 {
-  Reeb_graph::internal::compute_graph_of_cells<ConcurrencyTag, 4>(points, tetrahedra, scalars, graph, np);
+  Reeb_graph::internal::compute_graph_of_cells<4>(Reeb_graph::internal::threads_of<ConcurrencyTag>(), points,
+                                                  tetrahedra, scalars, graph, np);
 }
 
 } // namespace CGAL

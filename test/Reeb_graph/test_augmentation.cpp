@@ -194,21 +194,21 @@ struct Arcs_of_vertices
 Arcs_of_vertices climb_and_sweep(const Surface_mesh& mesh, const std::vector<double>& values)
 {
   namespace internal = CGAL::Reeb_graph::internal;
-  typedef CGAL::Sequential_tag Tag;
+  const internal::Threads one_thread;
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
   const CGAL::Reeb_graph_traits<Surface_mesh, std::decay_t<decltype(scalar_map)>> traits;
-  const auto surface = internal::flatten<Tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
+  const auto surface = internal::flatten(one_thread, mesh, scalar_map, traits, CGAL::parameters::default_values());
   const internal::Vertex_order order(surface.field.keys());
-  const auto critical_vertices = internal::classify_vertices<Tag>(surface.mesh->complex, order);
+  const auto critical_vertices = internal::classify_vertices(one_thread, surface.mesh->complex, order);
   const internal::Slab slab(surface.mesh->complex, critical_vertices);
   const internal::Contour_trees_engine engine(slab, order);
   Arcs_of_vertices result;
   internal::Locate_by_climbing climbing(surface.mesh->complex, order, critical_vertices);
-  result.arcs = engine.find_arcs<Tag>(internal::No_progress(), climbing);
+  result.arcs = engine.find_arcs(one_thread, internal::No_progress(), climbing);
   result.climbed = climbing.take_arc_of_vertex();
   internal::Locate_by_sorting sweeping(surface.mesh->complex, order, critical_vertices);
-  sweeping.sort<Tag>();
-  engine.find_arcs<Tag>(internal::No_progress(), sweeping);
+  sweeping.sort(one_thread);
+  engine.find_arcs(one_thread, internal::No_progress(), sweeping);
   result.swept = sweeping.take_arc_of_vertex();
   return result;
 }

@@ -176,20 +176,19 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
 {
   const Traits traits;
   const auto scalar_map = CGAL::Reeb_graph::make_scalar_map(mesh, values);
-  const auto surface =
-    stages::flatten<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
+  const auto surface = stages::flatten(stages::Threads(), mesh, scalar_map, traits, CGAL::parameters::default_values());
   const Order order(surface.field.keys());
-  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.mesh->complex, order);
+  const auto critical_vertices = stages::classify_vertices(stages::Threads(), surface.mesh->complex, order);
   const auto& ascending = critical_vertices.ascending();
   const stages::Slab slab(surface.mesh->complex, critical_vertices);
 
   stages::Merge_tree_sweep<Complex, stages::Side::LOWER> upwards(slab, order);
-  upwards.find_path_ends<CGAL::Sequential_tag>();
+  upwards.find_path_ends(stages::Threads());
   std::for_each(ascending.begin(), ascending.end(), [&](stages::Swept_index critical) { upwards.merge_at(critical); });
 
   stages::Cutting_sweep<Complex> downwards(slab, order);
   if(are_paths_walked_first)
-    downwards.find_path_ends<CGAL::Sequential_tag>();
+    downwards.find_path_ends(stages::Threads());
   stages::Loop_surgery<Complex> surgery(slab, order, upwards.tree(), downwards.tree());
   std::size_t number_of_cuts_at_multi_saddles = 0;
   bool is_longest_contour_cut = false;
@@ -370,15 +369,14 @@ BOOST_AUTO_TEST_CASE(critical_vertices_tell_the_euler_characteristic)
     const Surface_mesh mesh =
       make_mesh<Surface_mesh>(random_meshes::random_mesh(static_cast<Mesh_class>(seed % number_of_classes), random));
     const auto values = noise(mesh, seed);
-    const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
-                                                               Traits(), CGAL::parameters::default_values());
+    const auto surface = stages::flatten(stages::Threads(), mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
+                                         Traits(), CGAL::parameters::default_values());
     const Order order(surface.field.keys());
     const auto characteristic = static_cast<std::ptrdiff_t>(mesh.number_of_vertices() + mesh.number_of_faces())
                               - static_cast<std::ptrdiff_t>(mesh.number_of_edges());
     BOOST_TEST_CONTEXT("seed " << seed)
-    BOOST_TEST(
-      stages::euler_characteristic(stages::classify_vertices<CGAL::Sequential_tag>(surface.mesh->complex, order))
-      == characteristic);
+    BOOST_TEST(stages::euler_characteristic(stages::classify_vertices(stages::Threads(), surface.mesh->complex, order))
+               == characteristic);
   }
 }
 
@@ -394,10 +392,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vertices_that_a_sweep_sees_to_be_regular_are, Mesh
     const Mesh mesh = make_mesh<Mesh>(combinatorial_mesh);
     const auto values = random_meshes::random_field(combinatorial_mesh, Field_class::PERMUTATION, random);
     const CGAL::Reeb_graph_traits<Mesh, graph_checks::Scalar_map_of<Mesh>> traits;
-    const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
-                                                               traits, CGAL::parameters::default_values());
+    const auto surface = stages::flatten(stages::Threads(), mesh, CGAL::Reeb_graph::make_scalar_map(mesh, values),
+                                         traits, CGAL::parameters::default_values());
     const stages::Vertex_order order(surface.field.keys());
-    const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(surface.mesh->complex, order);
+    const stages::Regular_vertices regular_vertices(stages::Threads(), surface.mesh->complex, order);
     for(const stages::Vertex_index v : surface.mesh->complex.vertices())
     {
       if(regular_vertices.number_of_corners(v) == 0)
@@ -435,9 +433,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_sweep_does_not_see_vertices_with_two_fans_to_be_
     const CGAL::Reeb_graph_traits<Mesh, graph_checks::Scalar_map_of<Mesh>> traits;
     const auto is_seen_to_be_regular = [&] {
       const auto surface =
-        stages::flatten_unchecked<CGAL::Sequential_tag>(mesh, scalar_map, traits, CGAL::parameters::default_values());
+        stages::flatten_unchecked(stages::Threads(), mesh, scalar_map, traits, CGAL::parameters::default_values());
       const stages::Vertex_order order(surface.field.keys());
-      return stages::Regular_vertices<CGAL::Sequential_tag>(surface.complex.at_set_fans(), order)
+      return stages::Regular_vertices(stages::Threads(), surface.complex.at_set_fans(), order)
                .number_of_corners(stages::Vertex_index(kept))
           != 0;
     };
@@ -466,7 +464,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_sees_nothing_on_faces_that_are_not_right)
   const auto after = [&](const auto& change) {
     auto mesh = make_mesh<Surface_mesh>(soup);
     change(mesh, halfedge(F(37), mesh), H(0), F(37));
-    const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(Complex(mesh), order);
+    const stages::Regular_vertices regular_vertices(stages::Threads(), Complex(mesh), order);
     std::size_t number = 0;
     for(const auto v : vertices(mesh))
       number += regular_vertices.number_of_corners(stages::Vertex_index(v)) != 0 ? 1 : 0;
@@ -515,7 +513,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_sees_nothing_beside_a_hub)
     for(std::size_t v = 0; v != degree + 2; ++v)
       values.push_back(v == degree ? 1e9 : v > degree ? -1. : static_cast<double>(v < degree / 2 ? v : 2 * degree - v));
     const Order order(values);
-    const stages::Regular_vertices<CGAL::Sequential_tag> regular_vertices(Complex(mesh), order);
+    const stages::Regular_vertices regular_vertices(stages::Threads(), Complex(mesh), order);
     std::size_t number = 0;
     for(std::size_t v = 0; v != degree + 2; ++v)
       number += regular_vertices.number_of_corners(stages::Vertex_index(v)) != 0 ? 1 : 0;

@@ -174,8 +174,8 @@ std::vector<double> keys_of(const std::vector<Scalar>& values)
   Surface_mesh mesh;
   for(std::size_t v = 0; v != values.size(); ++v)
     mesh.add_vertex(Surface_mesh::Point(0, 0, 0));
-  const auto field = internal::read_field<CGAL::Sequential_tag>(
-    internal::Vertex_list<Surface_mesh>(mesh), CGAL::Reeb_graph::make_scalar_map(mesh, values), Traits<Scalar, Less>());
+  const auto field = internal::read_field(internal::Threads(), internal::Vertex_list<Surface_mesh>(mesh),
+                                          CGAL::Reeb_graph::make_scalar_map(mesh, values), Traits<Scalar, Less>());
   for(const internal::Vertex_index v : field.keys().keys())
   {
     BOOST_TEST((field.value(v) == values[v.number()]));
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(removed_vertices_have_no_rank)
   for(const auto v : vertices(mesh))
     map[v] = number++;
   const CGAL::Reeb_graph_traits<Surface_mesh, decltype(map)> traits;
-  const auto field = internal::read_field<CGAL::Sequential_tag>(internal::Vertex_list<Surface_mesh>(mesh), map, traits);
+  const auto field = internal::read_field(internal::Threads(), internal::Vertex_list<Surface_mesh>(mesh), map, traits);
   double rank = 0;
   for(const auto v : vertices(mesh))
     BOOST_TEST(field.keys()[internal::Vertex_index(v)] == rank++);

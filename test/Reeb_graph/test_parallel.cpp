@@ -15,8 +15,8 @@
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(sorting_on_any_number_of_threads)
   for(unsigned int seed = 0; seed != 200; ++seed)
   {
     std::mt19937 random(seed);
-    internal::Indexed_vector<internal::Vertex_index, double> values(random() % (seed < 160 ? 40 : 4000));
+    internal::Indexed_vector<internal::Vertex_index, double> values(random() % (seed < 160 ? 40 : 40000));
     for(double& value : values)
       value = random() % 50;
     const internal::Vertex_order order(values);
@@ -257,7 +257,8 @@ BOOST_AUTO_TEST_CASE(sorting_on_any_number_of_threads)
     std::sort(expected.begin(), expected.end(), order);
     std::shuffle(keys.begin(), keys.end(), random);
     const std::size_t number_of_threads = std::size_t(1) << seed % 4;
-    run_with_threads(number_of_threads, [&] { internal::sort<Parallel>(keys.begin(), keys.end(), order); });
+    run_with_threads(number_of_threads,
+                     [&] { internal::sort(internal::threads_of<Parallel>(), keys.begin(), keys.end(), order); });
     if(!std::equal(keys.begin(), keys.end(), expected.begin(), expected.end(), is_same))
       BOOST_ERROR("seed " << seed << ", " << number_of_threads << " threads");
   }

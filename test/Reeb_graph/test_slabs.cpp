@@ -153,12 +153,12 @@ BOOST_AUTO_TEST_CASE(as_many_slabs_as_vertices_of_noise)
   const std::vector<double> noise(values.begin(), values.end());
   compare_slabs(mesh, noise, {soup.points.size()}, Settings());
 
-  const auto surface = stages::flatten<CGAL::Sequential_tag>(mesh, CGAL::Reeb_graph::make_scalar_map(mesh, noise),
-                                                             Traits(), CGAL::parameters::default_values());
+  const auto surface = stages::flatten(stages::Threads(), mesh, CGAL::Reeb_graph::make_scalar_map(mesh, noise),
+                                       Traits(), CGAL::parameters::default_values());
   const stages::Vertex_order order(surface.field.keys());
-  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(surface.mesh->complex, order);
+  const auto critical_vertices = stages::classify_vertices(stages::Threads(), surface.mesh->complex, order);
   const auto number_of_slabs = [&](std::size_t wanted) {
-    return stages::Slicing(CGAL::Sequential_tag(), surface.mesh->complex, order, critical_vertices,
+    return stages::Slicing(stages::Threads(), surface.mesh->complex, order, critical_vertices,
                            static_cast<stages::Index>(wanted))
       .number_of_slabs();
   };

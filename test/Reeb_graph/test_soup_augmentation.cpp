@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_of_complexes_that_sweeping_gives)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
       namespace internal = CGAL::Reeb_graph::internal;
-      typedef CGAL::Sequential_tag Tag;
+      const internal::Threads one_thread;
       Random random(seed);
       const auto complex_class = static_cast<Complex_class>(seed % static_cast<int>(Complex_class::NUMBER_OF_CLASSES));
       const Complex complex = random_complexes::skeleton(random_complexes::random_complex(complex_class, random));
@@ -253,12 +253,13 @@ BOOST_AUTO_TEST_CASE(climbing_gives_the_arcs_of_complexes_that_sweeping_gives)
       const auto vertex_places = Soup_augmentation(size, complex.triangles, values, graph, np).locate_vertices();
 
       const CGAL::Reeb_graph_soup_traits<double> traits;
-      const auto soup = internal::flatten_cells<Tag, 3>(size, complex.triangles, complex.edges, values, traits);
+      const auto soup = internal::flatten_cells<3>(one_thread, size, complex.triangles, complex.edges, values, traits);
       const internal::Vertex_order order(soup.field.keys());
-      const auto critical_vertices = internal::classify_vertices<Tag>(soup.complex, order);
+      const auto critical_vertices = internal::classify_vertices(one_thread, soup.complex, order);
       internal::Locate_by_climbing queries(soup.complex, order, critical_vertices);
       const internal::Slab slab(soup.complex, critical_vertices);
-      const auto arcs = internal::Contour_trees_engine(slab, order).find_arcs<Tag>(internal::No_progress(), queries);
+      const auto arcs =
+        internal::Contour_trees_engine(slab, order).find_arcs(one_thread, internal::No_progress(), queries);
       const internal::Arc_of_vertex arc_of_vertex = queries.take_arc_of_vertex();
       const std::vector<arc_descriptor> graph_arcs(edges(graph).first, edges(graph).second);
       for(std::size_t v = 0; v < size; ++v)

@@ -62,7 +62,7 @@ struct Found_contours
   Found_contours(const Cells& cells, const std::vector<double>& values)
     : complex(make_complex(values.size(), cells)),
       scalars(values.begin(), values.end()),
-      critical_vertices(stages::classify_vertices<CGAL::Sequential_tag>(complex, order))
+      critical_vertices(stages::classify_vertices(stages::Threads(), complex, order))
   {
     for(const stages::Swept_index i : critical_vertices.ascending())
       if(critical_vertices.number_of_lower_sectors(i) > 1)
@@ -294,14 +294,14 @@ double searched_edges(const Cells& cells, const std::vector<double>& values)
   const Stage_complex complex = make_complex(values.size(), cells);
   const stages::Indexed_vector<stages::Vertex_index, double> scalars(values.begin(), values.end());
   const stages::Vertex_order order(scalars);
-  const auto critical_vertices = stages::classify_vertices<CGAL::Sequential_tag>(complex, order);
+  const auto critical_vertices = stages::classify_vertices(stages::Threads(), complex, order);
   const auto& ascending = critical_vertices.ascending();
   const stages::Slab slab(complex, critical_vertices);
   stages::Merge_tree_sweep<Stage_complex, stages::Side::LOWER> upwards(slab, order);
-  upwards.find_path_ends<CGAL::Sequential_tag>();
+  upwards.find_path_ends(stages::Threads());
   std::for_each(ascending.begin(), ascending.end(), [&](stages::Swept_index critical) { upwards.merge_at(critical); });
   stages::Cutting_sweep<Stage_complex> downwards(slab, order);
-  downwards.find_path_ends<CGAL::Sequential_tag>();
+  downwards.find_path_ends(stages::Threads());
   stages::Loop_surgery<Stage_complex> surgery(slab, order, upwards.tree(), downwards.tree());
   std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Swept_index critical) {
     downwards.merge_at(critical);

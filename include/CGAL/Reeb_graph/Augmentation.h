@@ -14,7 +14,8 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
@@ -256,7 +257,7 @@ public:
       }
     }
     std::vector<Contour> contours(arcs.size());
-    internal::for_each_index<ConcurrencyTag>(
+    internal::threads_of<ConcurrencyTag>().for_each_index(
       arcs.size(), [&](std::size_t i) { contours[i] = on_mesh_.trace(arcs[i], starts[i], level); });
     return contours;
   }
@@ -327,8 +328,8 @@ public:
   template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
   Vertex_places locate_vertices(const NamedParameters& np = parameters::default_values()) const
   {
-    return internal::locate_vertices<ConcurrencyTag, Vertex_places>(on_mesh_, ties_, are_degree_two_nodes_kept_,
-                                                                    simplified_places_, np);
+    return internal::locate_vertices<Vertex_places>(internal::threads_of<ConcurrencyTag>(), on_mesh_, ties_,
+                                                    are_degree_two_nodes_kept_, simplified_places_, np);
   }
 
 #ifndef DOXYGEN_RUNNING

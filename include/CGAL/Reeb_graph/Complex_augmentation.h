@@ -15,8 +15,9 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
@@ -384,8 +385,8 @@ public:
            progress,
            [&] {
              return std::make_shared<const Flat_values<Simplicial_complex, typename Traits::Scalar>>(
-               keep_flat<Simplicial_complex, typename Traits::Scalar>(flatten_cells<Sequential_tag, vertices_per_cell>(
-                 points, cells, parameters::get_parameter(np, edges_of_soup), scalars, traits)));
+               keep_flat<Simplicial_complex, typename Traits::Scalar>(flatten_cells<vertices_per_cell>(
+                 Threads(), points, cells, parameters::get_parameter(np, edges_of_soup), scalars, traits)));
            }),
       cells_(this->end_of_vertices(), points, cells)
   {}

@@ -81,8 +81,8 @@ public:
       counts_(internal::count_elements(mesh))
   {
     static_assert(internal::are_met<Is_field<ScalarMap, NamedParameters>>);
-    flat_values_ =
-      std::make_shared<Flat_values>(internal::flatten<Sequential_tag>(mesh, scalar_map, traits<ScalarMap>(np), np));
+    flat_values_ = std::make_shared<Flat_values>(
+      internal::flatten(internal::Threads(), mesh, scalar_map, traits<ScalarMap>(np), np));
   }
 
   /// replaces the values. Only they are read, and checked.
@@ -100,7 +100,8 @@ public:
     static_assert(internal::are_met<Is_field<ScalarMap, NamedParameters>>);
     check_mesh(*mesh_);
     const auto& flat_mesh = flat_values_->mesh;
-    auto field = internal::read_field<Sequential_tag>(flat_mesh->numbers.vertices, scalar_map, traits<ScalarMap>(np));
+    auto field =
+      internal::read_field(internal::Threads(), flat_mesh->numbers.vertices, scalar_map, traits<ScalarMap>(np));
     if(flat_values_.use_count() == 1)
       flat_values_->field = std::move(field);
     else // What shares them keeps its values.

@@ -12,8 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/way_back/arc_polylines.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -242,14 +243,17 @@ inline void smooth_inner_points(std::vector<Coordinates>& points, std::size_t nu
 }
 
 // Calls function(i) for i from 0 to size - 1, and tells the progress before some blocks of them.
-template <class ConcurrencyTag, class Function>
-void for_each_reported(std::size_t size, const Stage_progress& progress, const Function& function)
+template <class Function>
+void for_each_reported(const Threads& threads,
+                       std::size_t size,
+                       const Stage_progress& progress,
+                       const Function& function)
 {
   const std::size_t block = size / 64 + 1;
   for(std::size_t begin = 0; begin < size; begin += block)
   {
     progress(static_cast<double>(begin) / static_cast<double>(size));
-    for_each_index<ConcurrencyTag>((std::min)(block, size - begin), [&](std::size_t i) { function(begin + i); });
+    threads.for_each_index((std::min)(block, size - begin), [&](std::size_t i) { function(begin + i); });
   }
 }
 
@@ -268,7 +272,7 @@ inline double graded_place(double t, std::size_t inner, std::size_t outer)
 }
 
 // Puts a graph into space, its nodes at their vertices first.
-template <class ConcurrencyTag, class Augmentation, class PointMap>
+template <class Augmentation, class PointMap>
 class Graph_embedder
 {
   typedef typename boost::property_traits<PointMap>::value_type Point;
@@ -276,8 +280,12 @@ class Graph_embedder
 public:
   Embedding<Point> result;
 
-  Graph_embedder(const Augmentation& augmentation, const PointMap& point_map, const Progress& progress)
-    : augmentation_(augmentation),
+  Graph_embedder(const Threads& threads,
+                 const Augmentation& augmentation,
+                 const PointMap& point_map,
+                 const Progress& progress)
+    : threads_(threads),
+      augmentation_(augmentation),
       graph_(augmentation.graph()),
       point_map_(point_map),
       progress_(progress),
@@ -305,9 +313,8 @@ public:
     const Chain_polylines<Augmentation, PointMap> polylines(augmentation_, point_map_);
     result.arc_polylines.resize(arcs_.size());
     result.arc_values.resize(arcs_.size());
-    for_each_reported<ConcurrencyTag>(arcs_.size(), Stage_progress(progress_, 0, 1), [&](std::size_t i) {
-      polylines(arcs_[i], result.arc_polylines[i], result.arc_values[i]);
-    });
+    for_each_reported(threads_, arcs_.size(), Stage_progress(progress_, 0, 1),
+                      [&](std::size_t i) { polylines(arcs_[i], result.arc_polylines[i], result.arc_values[i]); });
   }
 
   // Returns false if the contours of arcs cross more than so many edges.
@@ -332,14 +339,14 @@ public:
       crossings += contour.number_of_crossings();
       return contour;
     };
-    for_each_reported<ConcurrencyTag>(arcs_.size(), Stage_progress(progress_, 0, 0.9), [&](std::size_t i) {
+    for_each_reported(threads_, arcs_.size(), Stage_progress(progress_, 0, 0.9), [&](std::size_t i) {
       if(crossings <= most_crossings)
         contours[i] = centroids.contours(arcs_[i], number_of_contours + 2 * number_of_contours_at_nodes, contour_at);
     });
     if(crossings > most_crossings)
       return false;
-    for_each_reported<ConcurrencyTag>(result.node_points.size(), Stage_progress(progress_, 0.9, 1),
-                                      [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
+    for_each_reported(threads_, result.node_points.size(), Stage_progress(progress_, 0.9, 1),
+                      [&](std::size_t i) { result.node_points[i] = centroids.node_point(i); });
     separate_parallel_arcs(graph_, contours);
     embed_straight();
     for(std::size_t i = 0; i != arcs_.size(); ++i)
@@ -367,6 +374,7 @@ private:
     values.insert(values.begin() + 1, contours.values.begin(), contours.values.end());
   }
 
+  const Threads threads_;
   const Augmentation& augmentation_;
   const typename Augmentation::Graph& graph_;
   const PointMap& point_map_;
@@ -374,11 +382,14 @@ private:
   const std::vector<typename Augmentation::arc_descriptor> arcs_;
 };
 
-template <class ConcurrencyTag, class Augmentation, class PointMap, class NamedParameters>
-auto embed_in_manner(const Augmentation& augmentation, const PointMap& point_map, const NamedParameters& np)
+template <class Augmentation, class PointMap, class NamedParameters>
+auto embed_in_manner(const Threads& threads,
+                     const Augmentation& augmentation,
+                     const PointMap& point_map,
+                     const NamedParameters& np)
 {
   const Progress progress(np);
-  Graph_embedder<ConcurrencyTag, Augmentation, PointMap> embedder(augmentation, point_map, progress);
+  Graph_embedder<Augmentation, PointMap> embedder(threads, augmentation, point_map, progress);
   Embedding_manner& manner = embedder.result.manner;
   manner = internal::parameter_or(np, internal::embedding_manner, Embedding_manner::BY_COST);
   std::size_t most_crossings = (std::numeric_limits<std::size_t>::max)();
@@ -489,9 +500,9 @@ auto embed(const Basic_augmentation<GraphOnMesh>& augmentation,
 {
   const auto point_map = augmentation.on_mesh().point_map(points);
   if constexpr(internal::are_named_parameters<Points>)
-    return internal::embed_in_manner<ConcurrencyTag>(augmentation, point_map, points);
+    return internal::embed_in_manner(internal::threads_of<ConcurrencyTag>(), augmentation, point_map, points);
   else
-    return internal::embed_in_manner<ConcurrencyTag>(augmentation, point_map, np);
+    return internal::embed_in_manner(internal::threads_of<ConcurrencyTag>(), augmentation, point_map, np);
 }
 
 } // namespace CGAL::Reeb_graph

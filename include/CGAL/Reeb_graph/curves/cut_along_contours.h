@@ -17,7 +17,7 @@
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 
 namespace CGAL::Reeb_graph {
 

@@ -15,8 +15,8 @@
 #include <CGAL/Reeb_graph/curves/internal/Contour_cutting.h>
 #include <CGAL/Reeb_graph/curves/internal/cut_and_mark.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 

@@ -14,7 +14,7 @@
 #include <CGAL/Reeb_graph/curves/Curve.h>
 #include <CGAL/Reeb_graph/curves/internal/choose_contours.h>
 #include <CGAL/Reeb_graph/curves/internal/simple_reeb_graph.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 
 #include <type_traits>
 

@@ -15,7 +15,8 @@
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 
@@ -262,7 +263,7 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
   };
   auto loops = found->make_loops(are_short ? std::numeric_limits<double>::infinity() : 0,
                                  (std::numeric_limits<std::size_t>::max)(), find_self_intersections,
-                                 internal::task_runner<ConcurrencyTag>(), internal::Stage_progress(progress, 0.2, 1));
+                                 internal::threads_of<ConcurrencyTag>(), internal::Stage_progress(progress, 0.2, 1));
   internal::set_persistences(
     reeb_loops, [&](const auto h) { return closing->number(h); }, loops);
   progress.report_end();

@@ -15,7 +15,8 @@
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/handles/internal/Handle_remover.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -110,7 +111,7 @@ std::vector<Handle_removal<typename boost::graph_traits<MutableFaceGraph>::verte
     internal::parameter_or(np, internal_np::visitor, Default_refinement_visitor<MutableFaceGraph>());
   auto& visitor = internal::unwrap_reference(visitor_parameter);
   internal::Handle_remover<MutableFaceGraph, std::decay_t<decltype(point_map)>, std::decay_t<decltype(visitor)>> remove(
-    mesh, point_map, visitor, internal::task_runner<ConcurrencyTag>());
+    mesh, point_map, visitor, internal::threads_of<ConcurrencyTag>());
   const auto result =
     remove(size, internal::parameter_or(np, internal::number_of_handles, (std::numeric_limits<std::size_t>::max)()),
            !internal::parameter_or(np, internal::ignore_self_intersections, false), progress);

@@ -12,7 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/skeleton/Curve_skeleton.h>
@@ -64,7 +65,7 @@ class Surface_reading
 {
 public:
   Surface_reading(const FaceListGraph& mesh, const NamedParameters& np)
-    : flat_(flatten<Sequential_tag>(mesh, scalar_map(np), traits(np), np))
+    : flat_(flatten(Threads(), mesh, scalar_map(np), traits(np), np))
   {
     const std::vector<Point> points = read_points<Point>(mesh, choose_point_map(mesh, np));
     points_.resize(complex().number_of_vertices());

@@ -13,7 +13,8 @@
 
 #include <CGAL/Reeb_graph/curves/exceptions.h>
 #include <CGAL/Reeb_graph/curves/internal/Ranked_mesh.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph_traits.h>
@@ -160,8 +161,7 @@ void check_input(const Mesh& mesh, const ScalarMap& scalar_map, const NamedParam
 {
   typedef Chosen_traits<Reeb_graph_traits<Mesh, ScalarMap>, NamedParameters> Traits;
   static_assert(are_met<Scalar_field<Mesh, ScalarMap, Traits>>);
-  read_values<Sequential_tag>(Vertex_list<Mesh>(mesh), scalar_map, choose_traits<Traits>(np),
-                              [](const auto&) { return 0; });
+  read_values(Threads(), Vertex_list<Mesh>(mesh), scalar_map, choose_traits<Traits>(np), [](const auto&) { return 0; });
   check_mesh(mesh);
 }
 

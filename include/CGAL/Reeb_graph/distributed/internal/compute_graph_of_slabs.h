@@ -145,7 +145,7 @@ public:
     for(const Swept_index i :
         critical_vertices_.indices()) // Their sectors stay on their ranks: they have made the arcs.
       critical_vertices_.set(i, numbers[i.number()], false, false, {0, 0});
-    critical_vertices_.sort<Sequential_tag>(order());
+    critical_vertices_.sort(Threads(), order());
     arcs_.reserve(arcs.size());
     for(const Critical_arc& arc : arcs)
     {
@@ -403,8 +403,8 @@ inline Gathered_graph glue_and_gather(Exchange& exchange,
       return;
     gathered.begins_of_ranks = all_places.begins;
     const auto& whole = gathered.surface.emplace(all_places.elements, all_arcs.elements);
-    gathered.graph = reduce_arcs<Sequential_tag>(whole, whole.order(), whole.critical_vertices(), whole.arcs(), ties,
-                                                 are_degree_two_nodes_kept, false);
+    gathered.graph = reduce_arcs(Threads(), whole, whole.order(), whole.critical_vertices(), whole.arcs(), ties,
+                                 are_degree_two_nodes_kept, false);
   });
   return gathered;
 }
@@ -453,7 +453,7 @@ void write_gathered_graph(Exchange& exchange,
     const auto pairs = std::make_shared<const Vertex_pairs>(
       join_chain_parts(gathered.graph.segments.size(), all_parts.elements, all_vertices.elements, chains));
     const Keyed_field<Value_of_node<ReebGraph>> field(gathered.surface->keys(), false);
-    write_nodes_and_arcs<Sequential_tag>(gathered.surface->global_vertices(), field, gathered.graph, graph);
+    write_nodes_and_arcs(Threads(), gathered.surface->global_vertices(), field, gathered.graph, graph);
     write_chains(pairs, chains, gathered.graph, graph);
   });
 }

@@ -303,8 +303,8 @@ Classified_complex<Complex> make_and_classify(Slab_surface& surface, const Verte
     for(const Slab_index slab : surface.slabs_of_vertices)
       arrays.is_inside.push_back(slab == surface.inside());
     arrays.positions = &surface.global_vertices;
-    return check_and_classify_vertices<Sequential_tag>(
-      Unchecked_complex(Triangle_complex(std::move(arrays), number_of_faces)), order);
+    return check_and_classify_vertices(Threads(),
+                                       Unchecked_complex(Triangle_complex(std::move(arrays), number_of_faces)), order);
   }
   else
   {
@@ -315,8 +315,8 @@ Classified_complex<Complex> make_and_classify(Slab_surface& surface, const Verte
     Simplicial_complex complex(surface.global_vertices.size(), for_each_triangle, [](const auto&) {});
     surface.triangles = {};
     Swept_vertices critical_vertices =
-      find_vertices_of_complex<Sequential_tag>(complex, order, [&](Vertex_index v, const By_side<Index>& numbers) {
-        return surface.slabs_of_vertices[v] == surface.inside() && has_critical_numbers_of_sectors(numbers);
+      find_vertices_of_complex(Threads(), complex, order, [&](Vertex_index v, const By_side<Index>& numbers) {
+        return surface.slabs_of_vertices[v] == surface.inside() && Are_critical()(v, numbers);
       });
     return {std::move(complex), std::move(critical_vertices)};
   }
@@ -345,7 +345,7 @@ Arcs_of_slab solve_slab(const Slab_surface& surface,
                              ? Slab<Complex>(complex, critical_vertices)
                              : Slab<Complex>(complex, critical_vertices, surface.slabs_of_vertices, surface.inside(),
                                              {levels.level(Side::LOWER), levels.level(Side::UPPER)});
-  return {find_arcs_of_slab<Sequential_tag>(slab, order, method, report),
+  return {find_arcs_of_slab(Threads(), slab, order, method, report),
           {levels.number_of_contours(Side::LOWER), levels.number_of_contours(Side::UPPER)}};
 }
 

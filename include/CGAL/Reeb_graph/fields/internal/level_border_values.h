@@ -12,7 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
@@ -598,7 +599,7 @@ Changes write_level_borders(const Mesh& mesh,
                             const Progress& progress)
 {
   progress.report(0);
-  const auto flat = share_flat<Sequential_tag>(mesh, scalar_map, traits, parameters::default_values());
+  const auto flat = share_flat(Threads(), mesh, scalar_map, traits, parameters::default_values());
   const auto& numbers = flat->mesh->numbers;
   const auto less = traits.less_scalar_object();
   progress.report(0.2);

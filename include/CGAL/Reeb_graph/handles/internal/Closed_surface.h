@@ -13,9 +13,10 @@
 
 #include <CGAL/Reeb_graph/handles/Handle_loop.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 
@@ -439,7 +440,7 @@ public:
   virtual std::vector<Surface_loop> make_loops(double bound,
                                                std::size_t number,
                                                const std::function<void()>& find_crossed,
-                                               const Task_runner& run,
+                                               const Threads& threads,
                                                const Stage_progress& progress) = 0;
   // Whether a loop of the surface bounds inside, or outside, but not on the surface.
   virtual bool is_bounding(const Halfedge_walk& walk, bool is_inside) const = 0;

@@ -16,7 +16,8 @@
 #include <CGAL/Reeb_graph/handles/area_of_filling_disc.h>
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/handles/internal/make_loops.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 
@@ -370,11 +371,11 @@ class Handle_remover
   };
 
 public:
-  Handle_remover(Mesh& mesh, const PointMap& point_map, Visitor& visitor, const Task_runner& run)
+  Handle_remover(Mesh& mesh, const PointMap& point_map, Visitor& visitor, const Threads& threads)
     : mesh_(mesh),
       point_map_(point_map),
       visitor_(visitor),
-      run_(run)
+      threads_(threads)
   {}
 
   // Removes handles that are smaller than `size`, at most `number` of them. The last ones of the list are refused.
@@ -417,7 +418,8 @@ private:
         is_crossed.push_back(is_crossed_[component]);
       found->refuse_self_intersections(is_crossed);
     };
-    const std::vector<Surface_loop> loops = found->make_loops(size, number, find_crossed, run_, progress.part(0.2, 1));
+    const std::vector<Surface_loop> loops =
+      found->make_loops(size, number, find_crossed, threads_, progress.part(0.2, 1));
     std::vector<const Surface_loop*> shorter;
     for(std::size_t i = 0; i != loops.size(); ++i)
     {
@@ -634,7 +636,7 @@ private:
   Mesh& mesh_;
   const PointMap& point_map_;
   Visitor& visitor_;
-  const Task_runner run_;
+  const Threads threads_;
   std::vector<std::size_t> is_crossed_;              // by component
   std::vector<halfedge_descriptor> representatives_; // of the components
   std::deque<Plan> plans_;

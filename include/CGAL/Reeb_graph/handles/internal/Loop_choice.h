@@ -16,7 +16,8 @@
 #include <CGAL/Reeb_graph/handles/internal/Loop_halves.h>
 #include <CGAL/Reeb_graph/handles/internal/Loop_search.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 
 #include <algorithm>
@@ -363,7 +364,7 @@ public:
   // Loops are shortened as far as that makes them shorter than `bound`, and than the `number`-th size of a pair.
   std::vector<std::vector<Pair_of_loops>> operator()(double bound,
                                                      std::size_t number,
-                                                     const Task_runner& run,
+                                                     const Threads& threads,
                                                      const Stage_progress& progress)
   {
     Class_codes codes(surface_.next.size() / 2, {0, 0});
@@ -401,7 +402,7 @@ public:
     }
     if(bound > 0)
     {
-      Loop_searchers searchers(surface_, codes, run);
+      Loop_searchers searchers(surface_, codes, threads);
       const double number_of_choices = static_cast<double>(choices_.size());
       for(std::size_t i = 0; i != choices_.size(); ++i)
         choices_[i].shorten(
@@ -479,16 +480,16 @@ public:
   std::vector<Surface_loop> make_loops(double bound,
                                        std::size_t number,
                                        const std::function<void()>& find_crossed,
-                                       const Task_runner& run,
+                                       const Threads& threads,
                                        const Stage_progress& progress) override
   {
     std::vector<Surface_loop> result;
     std::vector<std::vector<Pair_of_loops>> pairs;
-    run(2, [&](std::size_t task) {
+    threads.for_each_index(2, [&](std::size_t task) {
       if(task == 0)
         find_crossed();
       else
-        pairs = All_loops(homology_)(bound, number, run, progress);
+        pairs = All_loops(homology_)(bound, number, threads, progress);
     });
     for(std::size_t place = 0; place != pairs.size(); ++place)
       add_pairs(homology_.components()[place], pairs[place], result);

@@ -11,7 +11,8 @@
 
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 
 #include <CGAL/license/Reeb_graph.h>
 
@@ -388,10 +389,10 @@ public:
     Crossing_bounds crossing_bounds;
   };
 
-  Loop_searchers(const Closed_surface& surface, const Class_codes& codes, const Task_runner& run)
+  Loop_searchers(const Closed_surface& surface, const Class_codes& codes, const Threads& threads)
     : surface_(surface),
       codes_(codes),
-      run_(run),
+      threads_(threads),
       least_lengths_{Least_lengths::value_type(surface.points.size()), Least_lengths::value_type(surface.points.size())}
   {}
 
@@ -402,7 +403,7 @@ public:
   {
     std::atomic<std::size_t> number_done{0};
     const auto report = [&] { progress(static_cast<double>(number_done) / static_cast<double>(size)); };
-    run_(size, [&](std::size_t i) {
+    threads_.for_each_index(size, [&](std::size_t i) {
       report();
       std::unique_ptr<Searcher> searcher = take();
       function(i, *searcher, report);
@@ -435,7 +436,7 @@ private:
 
   const Closed_surface& surface_;
   const Class_codes& codes_;
-  const Task_runner& run_;
+  const Threads& threads_;
   Least_lengths least_lengths_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<Searcher>> idle_;

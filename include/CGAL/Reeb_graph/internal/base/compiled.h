@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
-#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -77,8 +76,8 @@ void prefetch_element(const Vector& vector, Key key)
 // target defines CGAL_REEB_GRAPH_COMPILED: then headers declare that these are instantiated elsewhere. For all other
 // types, and without the macro, they are templates as any.
 //
-// A stage says so behind its definition, by a macro M(PREFIX, TAG, COMPLEX) with its signature, which one of
-// the lists below is given. A stage has to be a function that is neither in a class nor inline, and whose result is not
+// A stage says so behind its definition, by a macro M(PREFIX, COMPLEX) with its signature, which one of the lists below is
+// given. A stage has to be a function that is neither in a class nor inline, and whose result is not
 // `auto`, as g++ instantiates all others nevertheless. No kernel is included here: only the library needs them all.
 
 namespace CGAL {
@@ -110,13 +109,9 @@ typedef Surface_mesh_complex<Epeck_point> Epeck_complex;
 } // namespace CGAL
 
 // A source of the library defines as empty what it is there to instantiate.
-#ifndef CGAL_REEB_GRAPH_SEQUENTIAL
-#define CGAL_REEB_GRAPH_SEQUENTIAL extern
+#ifndef CGAL_REEB_GRAPH_STAGES
+#define CGAL_REEB_GRAPH_STAGES extern
 #endif
-#ifndef CGAL_REEB_GRAPH_PARALLEL
-#define CGAL_REEB_GRAPH_PARALLEL extern
-#endif
-
 #ifndef CGAL_REEB_GRAPH_LOOPS
 #define CGAL_REEB_GRAPH_LOOPS extern
 #endif
@@ -127,39 +122,21 @@ typedef Surface_mesh_complex<Epeck_point> Epeck_complex;
 #define CGAL_REEB_GRAPH_SOLVERS extern
 #endif
 
-// Without TBB on both sides, Parallel_tag is nothing for the seam.
-#if defined(CGAL_REEB_GRAPH_COMPILED_PARALLEL) && defined(CGAL_LINKED_WITH_TBB)
-#define CGAL_REEB_GRAPH_IF_PARALLEL(...) __VA_ARGS__
-#else
-#define CGAL_REEB_GRAPH_IF_PARALLEL(...)
-#endif
-
 #ifdef CGAL_REEB_GRAPH_COMPILED
 #define CGAL_REEB_GRAPH_IF_COMPILED(...) __VA_ARGS__
 #else
 #define CGAL_REEB_GRAPH_IF_COMPILED(...)
 #endif
 
-#define CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, PREFIX, TAG)                                                                \
-  CGAL_REEB_GRAPH_IF_COMPILED(M(PREFIX, TAG, Cartesian_complex) M(PREFIX, TAG, Epick_complex)                          \
-                                M(PREFIX, TAG, Epeck_complex) M(PREFIX, TAG, Triangle_complex))
-// Surfaces, for functions that know no threads.
-#define CGAL_REEB_GRAPH_FOR_SURFACES_ONCE(M)                                                                           \
-  CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag)
 #define CGAL_REEB_GRAPH_FOR_SURFACES(M)                                                                                \
-  CGAL_REEB_GRAPH_FOR_SURFACES_ONCE(M)                                                                                 \
-  CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_SURFACES_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag))
-#define CGAL_REEB_GRAPH_FOR_SOUPS(M)                                                                                   \
-  CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag, Simplicial_complex))                       \
-  CGAL_REEB_GRAPH_IF_COMPILED(                                                                                         \
-    CGAL_REEB_GRAPH_IF_PARALLEL(M(CGAL_REEB_GRAPH_PARALLEL, Parallel_tag, Simplicial_complex)))
+  CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_STAGES, Cartesian_complex) M(CGAL_REEB_GRAPH_STAGES, Epick_complex)    \
+                                M(CGAL_REEB_GRAPH_STAGES, Epeck_complex) M(CGAL_REEB_GRAPH_STAGES, Triangle_complex))
+#define CGAL_REEB_GRAPH_FOR_SOUPS(M) CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_STAGES, Simplicial_complex))
 #define CGAL_REEB_GRAPH_FOR_COMPLEXES(M) CGAL_REEB_GRAPH_FOR_SURFACES(M) CGAL_REEB_GRAPH_FOR_SOUPS(M)
 // Functions that write graphs get the point of a Surface_mesh instead of a complex.
-#define CGAL_REEB_GRAPH_FOR_POINTS_OF(M, PREFIX, TAG)                                                                  \
-  CGAL_REEB_GRAPH_IF_COMPILED(M(PREFIX, TAG, Cartesian_point) M(PREFIX, TAG, Epick_point) M(PREFIX, TAG, Epeck_point))
 #define CGAL_REEB_GRAPH_FOR_POINTS(M)                                                                                  \
-  CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_SEQUENTIAL, Sequential_tag)                                         \
-  CGAL_REEB_GRAPH_IF_PARALLEL(CGAL_REEB_GRAPH_FOR_POINTS_OF(M, CGAL_REEB_GRAPH_PARALLEL, Parallel_tag))
+  CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_STAGES, Cartesian_point) M(CGAL_REEB_GRAPH_STAGES, Epick_point)        \
+                                M(CGAL_REEB_GRAPH_STAGES, Epeck_point))
 // Functions of handles, which know surfaces by numbers, and in the same way of skeletons. They have no parameters but
 // M(PREFIX), and only the library sees their definition.
 #define CGAL_REEB_GRAPH_FOR_LOOPS(M) CGAL_REEB_GRAPH_IF_COMPILED(M(CGAL_REEB_GRAPH_LOOPS))

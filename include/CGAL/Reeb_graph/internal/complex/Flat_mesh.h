@@ -59,11 +59,12 @@ Flat_values<FaceListGraph, Scalar> keep_flat(
 }
 
 // Sets the fans of all vertices, and checks the complex. Vertices that are known to be regular need no turn.
-template <class ConcurrencyTag, class Complex, class Order>
-Complex check_complex(Unchecked_complex<Complex> unchecked,
+template <class Complex, class Order>
+Complex check_complex(const Threads& threads,
+                      Unchecked_complex<Complex> unchecked,
                       const Order& order,
                       Way_of_turning way,
-                      const Regular_vertices<ConcurrencyTag>& regular_vertices)
+                      const Regular_vertices& regular_vertices)
 {
   const Stars_ahead stars(unchecked.at_set_fans(), order, way == Way_of_turning::STARS_AHEAD);
   const auto vertex_at = [](std::size_t i) { return Vertex_index(i); };
@@ -81,7 +82,7 @@ Complex check_complex(Unchecked_complex<Complex> unchecked,
       counts.corners += number_of_corners;
     });
   };
-  return std::move(unchecked).check(sum_of_parts<ConcurrencyTag, Fan_counts>(unchecked.number_of_vertices(), set_fans));
+  return std::move(unchecked).check(threads.sum_of_parts<Fan_counts>(unchecked.number_of_vertices(), set_fans));
 }
 
 // Checks a mesh, and numbers it.
@@ -92,7 +93,7 @@ std::shared_ptr<const Flat_mesh<FaceListGraph>> make_flat_mesh(const FaceListGra
   const No_order order;
   const Way_of_turning way = fastest_way(complex.at_set_fans(), order);
   return std::make_shared<const Flat_mesh<FaceListGraph>>(Flat_mesh<FaceListGraph>{
-    check_complex(std::move(complex), order, way, Regular_vertices<Sequential_tag>()), std::move(numbers)});
+    check_complex(Threads(), std::move(complex), order, way, Regular_vertices()), std::move(numbers)});
 }
 
 // Throws what compute_reeb_graph() throws for a mesh that has no Reeb graph.
@@ -103,23 +104,25 @@ void check_mesh(const FaceListGraph& mesh)
 }
 
 // Checks the mesh and the field, and numbers them.
-template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
-Flat_values<FaceListGraph, typename Traits::Scalar> flatten(const FaceListGraph& mesh,
+template <class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+Flat_values<FaceListGraph, typename Traits::Scalar> flatten(const Threads& threads,
+                                                            const FaceListGraph& mesh,
                                                             const ScalarMap& scalar_map,
                                                             const Traits& traits,
                                                             const NamedParameters& np)
 {
-  auto [unchecked, numbers, field] = flatten_unchecked<ConcurrencyTag>(mesh, scalar_map, traits, np);
+  auto [unchecked, numbers, field] = flatten_unchecked(threads, mesh, scalar_map, traits, np);
   const Vertex_order order(field.keys());
   const Way_of_turning way = fastest_way(unchecked.at_set_fans(), order);
-  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order, way);
-  auto complex = check_complex(std::move(unchecked), order, way, regular_vertices);
+  const auto regular_vertices = find_regular_vertices(threads, unchecked.at_set_fans(), order, way);
+  auto complex = check_complex(threads, std::move(unchecked), order, way, regular_vertices);
   return keep_flat<FaceListGraph, typename Traits::Scalar>({std::move(complex), std::move(numbers), std::move(field)});
 }
 
 // Shares the flat values; those of a Flat_field are there already.
-template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
-std::shared_ptr<const Flat_values<FaceListGraph, typename Traits::Scalar>> share_flat(const FaceListGraph& mesh,
+template <class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+std::shared_ptr<const Flat_values<FaceListGraph, typename Traits::Scalar>> share_flat(const Threads& threads,
+                                                                                      const FaceListGraph& mesh,
                                                                                       const ScalarMap& scalar_map,
                                                                                       const Traits& traits,
                                                                                       const NamedParameters& np)
@@ -128,7 +131,7 @@ std::shared_ptr<const Flat_values<FaceListGraph, typename Traits::Scalar>> share
     return flat_values_of(scalar_map, mesh, traits);
   else
     return std::make_shared<const Flat_values<FaceListGraph, typename Traits::Scalar>>(
-      flatten<ConcurrencyTag>(mesh, scalar_map, traits, np));
+      flatten(threads, mesh, scalar_map, traits, np));
 }
 
 // The positions in vertices(mesh) by number, no_index for those of removed vertices.

@@ -11,9 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 
@@ -181,7 +181,6 @@ inline constexpr std::array<Triangle_addends, 64> triangle_addends = make_triang
 //
 // These are nearly all vertices of a smooth field. There are none here if something is wrong with a face, nor is a vertex
 // for which the mesh keeps a halfedge that does not end there.
-template <class ConcurrencyTag>
 class Regular_vertices
 {
 public:
@@ -189,21 +188,21 @@ public:
   Regular_vertices() = default;
 
   template <class Complex>
-  Regular_vertices(const Complex& complex, const Vertex_order& order)
+  Regular_vertices(const Threads& threads, const Complex& complex, const Vertex_order& order)
   {
-    counts_.resize((std::min)(number_of_threads<ConcurrencyTag>(), most_parts));
+    counts_.resize((std::min)(threads.number(), most_parts));
     Apexes apexes(complex.number_of_halfedges() + 2 * edges_per_group, 0);
     Relaxed_value<bool> is_any_bad;
-    for_each_part<ConcurrencyTag>(counts_.size(), complex.end_of_triangles(),
-                                  [&](std::size_t part, std::size_t begin, std::size_t end) {
-                                    counts_[part].reset(complex.number_of_vertices(), 0);
-                                    if(!sweep(complex, order, begin, end, counts_[part], apexes))
-                                      is_any_bad.set(true);
-                                  });
-    if(is_any_bad.get() || complex.number_of_halfedges() >> 31 != 0 || !join_counts(complex))
+    threads.for_each_part(counts_.size(), complex.end_of_triangles(),
+                          [&](std::size_t part, std::size_t begin, std::size_t end) {
+                            counts_[part].reset(complex.number_of_vertices(), 0);
+                            if(!sweep(complex, order, begin, end, counts_[part], apexes))
+                              is_any_bad.set(true);
+                          });
+    if(is_any_bad.get() || complex.number_of_halfedges() >> 31 != 0 || !join_counts(threads, complex))
       counts_.clear();
     else
-      exclude_ends_of_edges(complex, order, apexes);
+      exclude_ends_of_edges(threads, complex, order, apexes);
   }
 
   // How many corners of triangles are at a vertex, 0 if it is none of these.
@@ -294,7 +293,7 @@ private:
 
   // Returns whether there are no more corners at a vertex than fit.
   template <class Complex>
-  bool join_counts(const Complex& complex)
+  bool join_counts(const Threads& threads, const Complex& complex)
   {
     const auto join = [&](std::size_t begin, std::size_t end, std::size_t& number_of_corners) {
       const Index_range<Vertex_index> vertices(Vertex_index{begin}, Vertex_index{end});
@@ -304,17 +303,19 @@ private:
       for(const Vertex_index v : vertices)
         number_of_corners += counts_[0][v] / Triangle_addends::corner;
     };
-    return sum_of_parts<ConcurrencyTag, std::size_t>(complex.number_of_vertices(), join)
-        == 3 * complex.number_of_faces();
+    return threads.sum_of_parts<std::size_t>(complex.number_of_vertices(), join) == 3 * complex.number_of_faces();
   }
 
   // Excludes the vertices that the edges exclude. It looks at four edges at a time: there are few that do.
   template <class Complex>
-  void exclude_ends_of_edges(const Complex& complex, const Vertex_order& order, const Apexes& apexes)
+  void exclude_ends_of_edges(const Threads& threads,
+                             const Complex& complex,
+                             const Vertex_order& order,
+                             const Apexes& apexes)
   {
     const std::size_t number_of_edges = complex.number_of_edges(),
                       number_of_groups = (number_of_edges + edges_per_group - 1) / edges_per_group;
-    std::vector<Plain_vector<Vertex_index>> excluded(number_of_parts<ConcurrencyTag>(number_of_groups));
+    std::vector<Plain_vector<Vertex_index>> excluded(threads.number_of_parts(number_of_groups));
     const auto find_excluded = [&](std::size_t part, std::size_t begin, std::size_t end) {
       for(std::size_t group = begin; group != end; ++group)
         if(is_decisive(apexes, group))
@@ -322,7 +323,7 @@ private:
             if(e < number_of_edges && complex.has_edge(Edge_index(e)))
               add_excluded_ends(complex, order, even_halfedge(Edge_index(e)), apexes, excluded[part]);
     };
-    for_each_part<ConcurrencyTag>(excluded.size(), number_of_groups, find_excluded);
+    threads.for_each_part(excluded.size(), number_of_groups, find_excluded);
     for(const auto& vertices : excluded)
       for(const Vertex_index v : vertices)
         counts_[0][v] = 0;
@@ -362,13 +363,14 @@ private:
 };
 
 // The regular vertices if to find them is the way.
-template <class ConcurrencyTag, class Complex>
-Regular_vertices<ConcurrencyTag> find_regular_vertices(const Complex& complex,
-                                                       const Vertex_order& order,
-                                                       Way_of_turning way)
+template <class Complex>
+Regular_vertices find_regular_vertices(const Threads& threads,
+                                       const Complex& complex,
+                                       const Vertex_order& order,
+                                       Way_of_turning way)
 {
   if(way == Way_of_turning::BEHIND_SWEEP)
-    return {complex, order};
+    return {threads, complex, order};
   return {};
 }
 

@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
 
@@ -507,8 +507,9 @@ template <class Scalar>
 using Flat_soup = Complex_with_field<Simplicial_complex, Simplicial_complex, Scalar>;
 
 // The values of the vertices, one for each in a random access range.
-template <class ConcurrencyTag, class Scalars, class Traits>
-Keyed_field<typename Traits::Scalar> read_scalars(std::size_t number_of_vertices,
+template <class Scalars, class Traits>
+Keyed_field<typename Traits::Scalar> read_scalars(const Threads& threads,
+                                                  std::size_t number_of_vertices,
                                                   const Scalars& scalars,
                                                   const Traits& traits)
 {
@@ -517,19 +518,19 @@ Keyed_field<typename Traits::Scalar> read_scalars(std::size_t number_of_vertices
     throw Scalar_count_error(number_of_scalars, number_of_vertices);
   const auto map =
     boost::make_iterator_property_map(std::begin(scalars), boost::typed_identity_property_map<std::size_t>());
-  return read_field<ConcurrencyTag>(Vertex_list<Simplicial_complex>(number_of_vertices), map, traits);
+  return read_field(threads, Vertex_list<Simplicial_complex>(number_of_vertices), map, traits);
 }
 
 // The complex of triangles or of tetrahedra, by their number of vertices, and of the edges of a named parameter, with
 // its field by numbers. The field is checked before the complex.
-template <class ConcurrencyTag,
-          std::size_t vertices_per_cell,
+template <std::size_t vertices_per_cell,
           class PointsOrNumber,
           class Cells,
           class EdgesParameter,
           class Scalars,
           class Traits>
-Flat_soup<typename Traits::Scalar> flatten_cells(const PointsOrNumber& points,
+Flat_soup<typename Traits::Scalar> flatten_cells(const Threads& threads,
+                                                 const PointsOrNumber& points,
                                                  const Cells& cells,
                                                  const EdgesParameter& edges_parameter,
                                                  const Scalars& scalars,
@@ -537,7 +538,7 @@ Flat_soup<typename Traits::Scalar> flatten_cells(const PointsOrNumber& points,
 {
   auto edges = parameters::choose_parameter<std::array<std::array<std::size_t, 2>, 0>>(edges_parameter);
   const std::size_t size = count_vertices(points);
-  auto field = read_scalars<ConcurrencyTag>(size, scalars, traits);
+  auto field = read_scalars(threads, size, scalars, traits);
   const auto number_of = [=](std::size_t v) { return v < size ? Vertex_index(v) : Vertex_index(no_index); };
   return {read_cells<vertices_per_cell>(size, cells, unwrap_reference(edges)),
           {Vertex_list<Simplicial_complex>(size), {}, number_of},

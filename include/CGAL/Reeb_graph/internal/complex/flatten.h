@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Keyed_field.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
@@ -400,14 +400,17 @@ struct First_vertex
 
 // The values of all vertices, which are checked, as convert(value) makes them. Only plain numbers are read in parallel:
 // copies of others may share parts.
-template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits, class Convert>
-auto read_values(const VertexList& vertices, const ScalarMap& scalar_map, const Traits& traits, const Convert& convert)
+template <class VertexList, class ScalarMap, class Traits, class Convert>
+auto read_values(const Threads& threads,
+                 const VertexList& vertices,
+                 const ScalarMap& scalar_map,
+                 const Traits& traits,
+                 const Convert& convert)
 {
   typedef typename Traits::Scalar Scalar;
   typedef decltype(convert(std::declval<Scalar>())) Value;
   static_assert(!std::is_same_v<Scalar, bool>, "Scalar values of type bool are not supported: use char.");
   constexpr bool is_read_in_parallel = std::is_arithmetic_v<Scalar> && !Is_changed_by_reading<ScalarMap>::value;
-  typedef std::conditional_t<is_read_in_parallel, ConcurrencyTag, Sequential_tag> Tag;
   const auto is_ordered_object = traits.is_ordered_object();
   const auto is_ordered = [&](const Scalar& value) {
     if constexpr(is_order_of_numbers<Scalar, std::decay_t<decltype(traits.less_scalar_object())>>)
@@ -431,15 +434,17 @@ auto read_values(const VertexList& vertices, const ScalarMap& scalar_map, const 
       values[v] = convert(std::move(value));
     }
   };
-  const Vertex_index unordered = sum_of_parts<Tag, First_vertex>(vertices.size(), read).vertex;
+  const Vertex_index unordered =
+    (is_read_in_parallel ? threads : Threads()).sum_of_parts<First_vertex>(vertices.size(), read).vertex;
   if(unordered != no_index)
     throw Unordered_scalar_error(vertices.position(unordered));
   return values;
 }
 
 // Reads the field of all vertices.
-template <class ConcurrencyTag, class VertexList, class ScalarMap, class Traits>
-Keyed_field<typename Traits::Scalar> read_field(const VertexList& vertices,
+template <class VertexList, class ScalarMap, class Traits>
+Keyed_field<typename Traits::Scalar> read_field(const Threads& threads,
+                                                const VertexList& vertices,
                                                 const ScalarMap& scalar_map,
                                                 const Traits& traits)
 {
@@ -449,11 +454,11 @@ Keyed_field<typename Traits::Scalar> read_field(const VertexList& vertices,
   if constexpr(has_exact_keys<Scalar, Less>)
   {
     const auto key_of = [](Scalar value) { return exact_key<Less>(value); };
-    return {read_values<ConcurrencyTag>(vertices, scalar_map, traits, key_of), is_falling<Scalar, Less>};
+    return {read_values(threads, vertices, scalar_map, traits, key_of), is_falling<Scalar, Less>};
   }
   else
   {
-    auto values = read_values<ConcurrencyTag>(vertices, scalar_map, traits, [](Scalar value) { return value; });
+    auto values = read_values(threads, vertices, scalar_map, traits, [](Scalar value) { return value; });
     return {vertices, std::move(values), less};
   }
 }
@@ -538,14 +543,15 @@ std::pair<Unchecked_complex<Surface_mesh_complex<Point>>, Mesh_numbers<Surface_m
           {std::move(vertex_list), {}, [](auto v) { return Vertex_index(v); }}};
 }
 
-template <class ConcurrencyTag, class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
-Unchecked_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(const FaceListGraph& mesh,
+template <class FaceListGraph, class ScalarMap, class Traits, class NamedParameters>
+Unchecked_surface<FaceListGraph, typename Traits::Scalar> flatten_unchecked(const Threads& threads,
+                                                                            const FaceListGraph& mesh,
                                                                             const ScalarMap& scalar_map,
                                                                             const Traits& traits,
                                                                             const NamedParameters& np)
 {
   Vertex_list<FaceListGraph> vertex_list(mesh);
-  auto field = read_field<ConcurrencyTag>(vertex_list, scalar_map, traits);
+  auto field = read_field(threads, vertex_list, scalar_map, traits);
   auto [complex, numbers] = number_mesh(mesh, std::move(vertex_list), np);
   return {std::move(complex), std::move(numbers), std::move(field)};
 }

@@ -12,9 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
@@ -177,17 +177,16 @@ public:
   }
 
   // Sorts the vertices when all have been set. Ties are ordered by critical vertex as by vertex.
-  template <class ConcurrencyTag>
-  void sort(const Vertex_order& order)
+  void sort(const Threads& threads, const Vertex_order& order)
   {
     Vector_of<Vertex_order::Key<Swept_index>> keys(size());
-    for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         keys[i] = order.key(vertex(Swept_index(i)), Swept_index(i));
     });
-    internal::sort<ConcurrencyTag>(keys.begin(), keys.end(), order);
+    internal::sort(threads, keys.begin(), keys.end(), order);
     ascending_ = Plain_vector<Swept_index>(keys.size());
-    for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         ascending_[i] = keys[i].name;
     });

@@ -64,18 +64,17 @@ public:
   }
 
   // Puts the vertices, which are in the order of the mesh so far, in that of the field.
-  template <class ConcurrencyTag>
-  void sort()
+  void sort(const Threads& threads)
   {
     typedef Vertex_order::Key<Vertex_index> Key;
     Vector_of<Key> keys(vertices_.size());
-    for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         keys[i] = order_.key(vertices_[Query(i)], vertices_[Query(i)]);
     });
-    internal::sort<ConcurrencyTag>(keys.begin(), keys.end(), order_);
+    internal::sort(threads, keys.begin(), keys.end(), order_);
     find_bounds(keys);
-    for_each_block<ConcurrencyTag>(keys.size(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(keys.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
         vertices_[Query(i)] = keys[i].name;
     });
@@ -109,12 +108,11 @@ public:
   // that is left above the vertex is the rest of this arc, and the vertex is on the arc of the leaf in the split tree.
   // No earlier leaf has the vertex on its arc in either tree: all that was left on one side of it would have been the
   // rest of that leaf's arc. So the arc is the first one that a class of the vertex has gone to.
-  template <class ConcurrencyTag>
-  void find_arcs(const Arcs_of_classes& arcs_of_classes, const Trees_with_cuts&)
+  void find_arcs(const Threads& threads, const Arcs_of_classes& arcs_of_classes, const Trees_with_cuts&)
   {
     arc_of_vertex_.assign(complex_.number_of_vertices(), no_index);
     constexpr std::size_t ahead = 16;
-    for_each_block<ConcurrencyTag>(vertices_.size(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(vertices_.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i != end; ++i)
       {
         if(i + ahead < end)
@@ -207,15 +205,14 @@ public:
   void ask_beyond(std::size_t, Sweep&)
   {}
 
-  template <class ConcurrencyTag>
-  void find_arcs(const Arcs_of_classes& arcs_of_classes, const Trees_with_cuts& found)
+  void find_arcs(const Threads& threads, const Arcs_of_classes& arcs_of_classes, const Trees_with_cuts& found)
   {
     for(const Side side : both_sides)
     {
       set_nodes(side, found);
       links_[side] = Links(complex_.number_of_vertices());
     }
-    for_each_block<ConcurrencyTag>(complex_.number_of_edges(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(complex_.number_of_edges(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = end; i != begin; --i) // backwards, as an earlier neighbor has its class first
         set_neighbors(Edge_index(i - 1), found.cuts);
     });
@@ -223,7 +220,7 @@ public:
       for(const Side side : both_sides)
         set_class(side, critical_vertices_.vertex(critical), node_of(critical));
     arc_of_vertex_.assign(complex_.number_of_vertices(), no_index);
-    for_each_block<ConcurrencyTag>(complex_.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(complex_.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
       find_arcs_of_block(begin, end, arcs_of_classes);
     });
     for(const Swept_index critical : critical_vertices_.indices())

@@ -233,21 +233,25 @@ struct Found_parts
   std::shared_ptr<Kept_neighbors> kept_neighbors;
 };
 
-template <class ConcurrencyTag, class Complex, class Stars, class FindLink>
-Found_parts find_vertices_in_parts(const Complex& complex, const Stars& stars, const FindLink& find_link)
+template <class Complex, class Stars, class FindLink>
+Found_parts find_vertices_in_parts(const Threads& threads,
+                                   const Complex& complex,
+                                   const Stars& stars,
+                                   const FindLink& find_link)
 {
   const std::size_t size = complex.number_of_vertices();
-  Found_parts found = {std::vector<Found_vertices>(number_of_parts<ConcurrencyTag>(size)),
+  Found_parts found = {std::vector<Found_vertices>(threads.number_of_parts(size)),
                        std::make_shared<Kept_neighbors>(size)};
-  for_each_part<ConcurrencyTag>(found.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+  threads.for_each_part(found.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
     found.parts[part] = find_vertices(complex, stars, begin, end, find_link, *found.kept_neighbors);
   });
   return found;
 }
 
 // The vertices of all parts, each in its place.
-template <class ConcurrencyTag, class Complex>
-Swept_vertices join_parts(const Complex& complex,
+template <class Complex>
+Swept_vertices join_parts(const Threads& threads,
+                          const Complex& complex,
                           const Vertex_order& order,
                           Way_of_turning way,
                           const Found_parts& found)
@@ -268,7 +272,7 @@ Swept_vertices join_parts(const Complex& complex,
   Swept_vertices result;
   result.resize(number_of_vertices, numbers_of_sectors);
   const Stars_ahead stars(complex, order, way == Way_of_turning::STARS_AHEAD);
-  for_each_index<ConcurrencyTag>(parts.size(), [&](std::size_t part) {
+  threads.for_each_index(parts.size(), [&](std::size_t part) {
     Swept_index i(first_vertices[part]);
     Sector_counts sectors = first_sectors[part];
     const auto& vertices = parts[part].vertices;
@@ -282,22 +286,22 @@ Swept_vertices join_parts(const Complex& complex,
       sectors[Side::UPPER] += link.number_of_upper_sectors();
     });
   });
-  result.template sort<ConcurrencyTag>(order);
+  result.sort(threads, order);
   result.set_kept_neighbors(found.kept_neighbors);
   return result;
 }
 
 // Finds the critical vertices.
-template <class ConcurrencyTag, class Complex>
-Swept_vertices classify_vertices(const Complex& complex, const Vertex_order& order)
+template <class Complex>
+Swept_vertices classify_vertices(const Threads& threads, const Complex& complex, const Vertex_order& order)
 {
   const Way_of_turning way = fastest_way(complex, order);
-  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(complex, order, way);
+  const auto regular_vertices = find_regular_vertices(threads, complex, order, way);
   const Stars_ahead stars(complex, order, way == Way_of_turning::STARS_AHEAD);
   const auto find = [&](Vertex_index vertex, Fan_counts&) {
     return regular_vertices.number_of_corners(vertex) != 0 ? regular_link : find_link(complex, order, vertex);
   };
-  return join_parts<ConcurrencyTag>(complex, order, way, find_vertices_in_parts<ConcurrencyTag>(complex, stars, find));
+  return join_parts(threads, complex, order, way, find_vertices_in_parts(threads, complex, stars, find));
 }
 
 template <class Complex>
@@ -309,11 +313,13 @@ struct Classified_complex
 
 // Finds the critical vertices of a complex that has not been checked, which is done on the way: both have to turn
 // around each vertex that is not one of the regular ones known before.
-template <class ConcurrencyTag, class Complex>
-Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Complex> unchecked, const Vertex_order& order)
+template <class Complex>
+Classified_complex<Complex> check_and_classify_vertices(const Threads& threads,
+                                                        Unchecked_complex<Complex> unchecked,
+                                                        const Vertex_order& order)
 {
   const Way_of_turning way = fastest_way(unchecked.at_set_fans(), order);
-  const auto regular_vertices = find_regular_vertices<ConcurrencyTag>(unchecked.at_set_fans(), order, way);
+  const auto regular_vertices = find_regular_vertices(threads, unchecked.at_set_fans(), order, way);
   const Stars_ahead stars(unchecked.at_set_fans(), order, way == Way_of_turning::STARS_AHEAD);
   const auto find = [&](Vertex_index vertex, Fan_counts& counts) {
     const Index number_of_corners = regular_vertices.number_of_corners(vertex);
@@ -323,12 +329,12 @@ Classified_complex<Complex> check_and_classify_vertices(Unchecked_complex<Comple
     counts.corners += number_of_corners;
     return regular_link;
   };
-  const auto found = find_vertices_in_parts<ConcurrencyTag>(unchecked, stars, find);
+  const auto found = find_vertices_in_parts(threads, unchecked, stars, find);
   Fan_counts counts;
   for(const Found_vertices& part : found.parts)
     counts += part.fan_counts;
   Complex complex = std::move(unchecked).check(counts);
-  Swept_vertices critical_vertices = join_parts<ConcurrencyTag>(complex, order, way, found);
+  Swept_vertices critical_vertices = join_parts(threads, complex, order, way, found);
   return {std::move(complex), std::move(critical_vertices)};
 }
 
@@ -339,17 +345,18 @@ struct Checked_complex
   const Complex& complex;
 };
 
-template <class ConcurrencyTag, class Complex>
-Classified_complex<const Complex&> check_and_classify_vertices(Checked_complex<Complex> checked,
+template <class Complex>
+Classified_complex<const Complex&> check_and_classify_vertices(const Threads& threads,
+                                                               Checked_complex<Complex> checked,
                                                                const Vertex_order& order)
 {
-  return {checked.complex, classify_vertices<ConcurrencyTag>(checked.complex, order)};
+  return {checked.complex, classify_vertices(threads, checked.complex, order)};
 }
 
-#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES(PREFIX, TAG, COMPLEX)                                                        \
-  PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(Unchecked_complex<COMPLEX>,             \
-                                                                               const Vertex_order&);                   \
-  PREFIX template Swept_vertices classify_vertices<TAG>(const COMPLEX&, const Vertex_order&);
+#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES(PREFIX, COMPLEX)                                                             \
+  PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices(const Threads&, Unchecked_complex<COMPLEX>,  \
+                                                                          const Vertex_order&);                        \
+  PREFIX template Swept_vertices classify_vertices(const Threads&, const COMPLEX&, const Vertex_order&);
 CGAL_REEB_GRAPH_FOR_SURFACES(CGAL_REEB_GRAPH_CLASSIFY_VERTICES)
 
 } // namespace CGAL::Reeb_graph::internal

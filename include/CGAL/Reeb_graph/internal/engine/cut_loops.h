@@ -58,10 +58,9 @@ public:
       cuts_(slab.number_of_nodes(), slab.complex().number_of_edges())
   {}
 
-  template <class ConcurrencyTag>
-  void find_path_ends()
+  void find_path_ends(const Threads& threads)
   {
-    Base::template find_path_ends<ConcurrencyTag>();
+    Base::find_path_ends(threads);
     are_paths_walked_late_ = false;
   }
 

@@ -11,7 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/cut_loops.h>
@@ -212,20 +213,20 @@ public:
   {}
 
   // Answers the queries on the way, and calls report(fraction) now and then.
-  template <class ConcurrencyTag, class Report, class Queries>
-  Swept_arcs find_arcs(const Report& report, Queries& queries) const
+  template <class Report, class Queries>
+  Swept_arcs find_arcs(const Threads& threads, const Report& report, Queries& queries) const
   {
     std::optional<Upward_sweep> upwards;
     std::optional<Downward_sweep> downwards;
-    invoke_both<ConcurrencyTag>([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
-    find_path_ends<ConcurrencyTag, Queries>(*upwards);
+    threads.invoke_both([&] { upwards.emplace(slab_, order_); }, [&] { downwards.emplace(slab_, order_); });
+    find_path_ends<Queries>(threads, *upwards);
     report(0.25);
 
-    const bool is_forest = sweep_first_trees<ConcurrencyTag>(*upwards, downwards, queries);
+    const bool is_forest = sweep_first_trees(threads, *upwards, downwards, queries);
     report(0.5);
 
     Shrinking_tree join_tree, split_tree;
-    invoke_both<ConcurrencyTag>(
+    threads.invoke_both(
       [&] {
         if(!is_forest)
           sweep_downwards_and_cut(*downwards, upwards->tree(), queries);
@@ -236,9 +237,9 @@ public:
     report(0.75);
 
     Indexed_vector<Tree_node, Ascending_step> first_steps;
-    invoke_both<ConcurrencyTag>(
+    threads.invoke_both(
       [&] { split_tree = Shrinking_tree(downwards->tree().parents); },
-      [&] { first_steps = find_first_steps<ConcurrencyTag>(downwards->tree().classes, cuts.number_of_nodes()); });
+      [&] { first_steps = find_first_steps(threads, downwards->tree().classes, cuts.number_of_nodes()); });
     Tree_combination<Queries::are_any> combination(std::move(join_tree), std::move(split_tree), std::move(first_steps));
     Swept_arcs arcs = combination();
     if constexpr(Queries::are_any)
@@ -253,8 +254,7 @@ public:
             arc = arc == no_index ? arc : new_names[arc];
         cuts.register_edges();
       }
-      queries.template find_arcs<ConcurrencyTag>(arcs_of_classes,
-                                                 Trees_with_cuts{{&upwards->tree(), &downwards->tree()}, cuts});
+      queries.find_arcs(threads, arcs_of_classes, Trees_with_cuts{{&upwards->tree(), &downwards->tree()}, cuts});
     }
     else if(cuts.size() != 0)
       glue_cuts(cuts, arcs, [](Swept_arc_index, Swept_arc_index) {});
@@ -262,31 +262,34 @@ public:
   }
 
 private:
-  template <class ConcurrencyTag, class Queries, class Sweep>
-  static void find_path_ends(Sweep& sweep)
+  template <class Queries, class Sweep>
+  static void find_path_ends(const Threads& threads, Sweep& sweep)
   {
-    sweep.template find_path_ends<ConcurrencyTag>();
+    sweep.find_path_ends(threads);
     if constexpr(Queries::are_in_order)
-      sweep.template find_path_ends_of_vertices<ConcurrencyTag>();
+      sweep.find_path_ends_of_vertices(threads);
   }
 
   // The sweep for the join tree, and for the split tree as much as can be done: all of it where no loop can be, as the
   // sweeps do not need each other then. Whether that is so, the result, is only known after the first one; to run the
   // second one beside it is a guess. Of a complex that may be no surface, the Euler characteristic tells nothing.
-  template <class ConcurrencyTag, class Queries>
-  bool sweep_first_trees(Upward_sweep& upwards, std::optional<Downward_sweep>& downwards, Queries& queries) const
+  template <class Queries>
+  bool sweep_first_trees(const Threads& threads,
+                         Upward_sweep& upwards,
+                         std::optional<Downward_sweep>& downwards,
+                         Queries& queries) const
   {
     const std::ptrdiff_t characteristic =
       Complex::is_surface && slab_.is_whole_surface() ? euler_characteristic(critical_vertices_) : 0;
-    const bool is_guess_made = is_parallel<ConcurrencyTag>() && characteristic > 0;
+    const bool is_guess_made = threads.are_parallel() && characteristic > 0;
     const auto no_cuts = [](Swept_index) {};
-    invoke_both<ConcurrencyTag>([&] { sweep_from<Side::LOWER>(upwards, queries, no_cuts); },
-                                [&] {
-                                  if(is_guess_made || has_many_critical_vertices())
-                                    find_path_ends<ConcurrencyTag, Queries>(*downwards);
-                                  if(is_guess_made)
-                                    sweep_from<Side::UPPER>(*downwards, queries, no_cuts);
-                                });
+    threads.invoke_both([&] { sweep_from<Side::LOWER>(upwards, queries, no_cuts); },
+                        [&] {
+                          if(is_guess_made || has_many_critical_vertices())
+                            find_path_ends<Queries>(threads, *downwards);
+                          if(is_guess_made)
+                            sweep_from<Side::UPPER>(*downwards, queries, no_cuts);
+                        });
     const bool is_forest = characteristic > 0 && characteristic == largest_euler_characteristic(upwards.tree());
     if(is_forest && !is_guess_made)
       sweep_from<Side::UPPER>(*downwards, queries, no_cuts);
@@ -294,7 +297,7 @@ private:
     {
       downwards.emplace(slab_, order_);
       if(has_many_critical_vertices())
-        find_path_ends<ConcurrencyTag, Queries>(*downwards);
+        find_path_ends<Queries>(threads, *downwards);
     }
     return is_forest;
   }
@@ -376,8 +379,8 @@ private:
 
   // The first step to each node from its parent in the split tree, in the highest of the sectors that lead
   // there. No node has two parents, so all sectors that lead to it are at one vertex.
-  template <class ConcurrencyTag>
   Indexed_vector<Tree_node, Ascending_step> find_first_steps(
+    const Threads& threads,
     const Indexed_vector<Sector_index, Tree_node>& superlevel_classes,
     Index number_of_nodes) const
   {
@@ -395,7 +398,7 @@ private:
           step = {sector.edge, sector.extreme_neighbor};
       }
     };
-    for_each_block<ConcurrencyTag>(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
       find(critical_vertices_.first_sector(Swept_index(begin), Side::UPPER),
            critical_vertices_.first_sector(Swept_index(end), Side::UPPER));
     });
@@ -504,44 +507,54 @@ typedef std::integral_constant<std::size_t, 1> Default_number_of_slabs;
 
 // Finds the arcs between the nodes of a slab by the engine for the method. All return the same arcs, in any order.
 // First steps are those of arcs that begin at a critical vertex.
-template <class ConcurrencyTag, class Complex, class Report>
-Swept_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Vertex_order& order, Default_method, const Report& report)
+template <class Complex, class Report>
+Swept_arcs find_arcs_of_slab(const Threads& threads,
+                             const Slab<Complex>& slab,
+                             const Vertex_order& order,
+                             Default_method,
+                             const Report& report)
 {
   Locate_nothing no_queries;
-  return Contour_trees_engine<Complex>(slab, order).template find_arcs<ConcurrencyTag>(report, no_queries);
+  return Contour_trees_engine<Complex>(slab, order).find_arcs(threads, report, no_queries);
 }
 
-template <class ConcurrencyTag, class Complex, class Report>
-Swept_arcs find_arcs_of_slab(const Slab<Complex>& slab, const Vertex_order& order, Method method, const Report& report)
+template <class Complex, class Report>
+Swept_arcs find_arcs_of_slab(const Threads& threads,
+                             const Slab<Complex>& slab,
+                             const Vertex_order& order,
+                             Method method,
+                             const Report& report)
 {
   if(method != Method::CRITICAL_SETS)
-    return find_arcs_of_slab<ConcurrencyTag>(slab, order, Default_method(), report);
+    return find_arcs_of_slab(threads, slab, order, Default_method(), report);
   return Critical_sets_engine<Complex>(slab, order).find_arcs(report);
 }
 
 // Cuts the surface into several slabs, finds the arcs slab by slab, and glues them.
-template <class ConcurrencyTag, class Complex, class ChosenMethod, class Report>
-Swept_arcs find_and_glue_arcs(const Complex& complex,
+template <class Complex, class ChosenMethod, class Report>
+Swept_arcs find_and_glue_arcs(const Threads& threads,
+                              const Complex& complex,
                               const Vertex_order& order,
                               const Swept_vertices& critical_vertices,
                               ChosenMethod method,
                               Index number_of_slabs,
                               const Report& report)
 {
-  const Slicing<Complex> slicing(ConcurrencyTag(), complex, order, critical_vertices, number_of_slabs);
+  const Slicing<Complex> slicing(threads, complex, order, critical_vertices, number_of_slabs);
   report(0.2);
   Indexed_vector<Slab_index, Swept_arcs> arcs_of_slabs(slicing.number_of_slabs());
-  for_each_index<ConcurrencyTag>(arcs_of_slabs.size(), [&](std::size_t i) {
+  threads.for_each_index(arcs_of_slabs.size(), [&](std::size_t i) {
     arcs_of_slabs[Slab_index(i)] =
-      find_arcs_of_slab<ConcurrencyTag>(slicing.slab(Slab_index(i)), order, method, No_progress());
+      find_arcs_of_slab(threads, slicing.slab(Slab_index(i)), order, method, No_progress());
   });
   return glue_slabs(slicing, arcs_of_slabs, critical_vertices.size());
 }
 
 // The slab stage between partition and gluing: finds the arcs between critical vertices, slab by slab. With one slab,
 // which needs neither, the engine itself runs in parallel where it can.
-template <class ConcurrencyTag, class Complex, class ChosenMethod, class ChosenNumberOfSlabs, class Report>
-Swept_arcs find_arcs(const Complex& complex,
+template <class Complex, class ChosenMethod, class ChosenNumberOfSlabs, class Report>
+Swept_arcs find_arcs(const Threads& threads,
+                     const Complex& complex,
                      const Vertex_order& order,
                      const Swept_vertices& critical_vertices,
                      ChosenMethod method,
@@ -552,14 +565,15 @@ Swept_arcs find_arcs(const Complex& complex,
   {
     const Index number_of_slabs(std::min<std::size_t>(chosen_number_of_slabs, critical_vertices.size()));
     if(number_of_slabs > 1)
-      return find_and_glue_arcs<ConcurrencyTag>(complex, order, critical_vertices, method, number_of_slabs, report);
+      return find_and_glue_arcs(threads, complex, order, critical_vertices, method, number_of_slabs, report);
   }
-  return find_arcs_of_slab<ConcurrencyTag>(Slab(complex, critical_vertices), order, method, report);
+  return find_arcs_of_slab(threads, Slab(complex, critical_vertices), order, method, report);
 }
 
 // Finds the arcs by the default method, and the one that each regular vertex is on.
-template <class ConcurrencyTag, class Complex>
-Swept_arcs find_arcs_and_locate_vertices(const Complex& complex,
+template <class Complex>
+Swept_arcs find_arcs_and_locate_vertices(const Threads& threads,
+                                         const Complex& complex,
                                          const Vertex_order& order,
                                          const Swept_vertices& critical_vertices,
                                          Arc_of_vertex& arc_of_vertex,
@@ -567,7 +581,7 @@ Swept_arcs find_arcs_and_locate_vertices(const Complex& complex,
 {
   const Slab slab(complex, critical_vertices);
   const auto find = [&](auto& queries) {
-    Swept_arcs arcs = Contour_trees_engine<Complex>(slab, order).template find_arcs<ConcurrencyTag>(progress, queries);
+    Swept_arcs arcs = Contour_trees_engine<Complex>(slab, order).find_arcs(threads, progress, queries);
     arc_of_vertex = queries.take_arc_of_vertex();
     return arcs;
   };
@@ -577,20 +591,21 @@ Swept_arcs find_arcs_and_locate_vertices(const Complex& complex,
     return find(queries);
   }
   Locate_by_sorting<Complex> queries(complex, order, critical_vertices);
-  queries.template sort<ConcurrencyTag>();
+  queries.sort(threads);
   return find(queries);
 }
 
-#define CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, METHOD, NUMBER_OF_SLABS)                                    \
-  PREFIX template Swept_arcs find_arcs<TAG>(const COMPLEX&, const Vertex_order&, const Swept_vertices&, METHOD,        \
-                                            NUMBER_OF_SLABS, const Stage_progress&);
-#define CGAL_REEB_GRAPH_FIND_ARCS(PREFIX, TAG, COMPLEX)                                                                \
-  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, Default_method, Default_number_of_slabs)                          \
-  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, Method, Default_number_of_slabs)                                  \
-  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, Default_method, std::size_t)                                      \
-  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, TAG, COMPLEX, Method, std::size_t)                                              \
-  PREFIX template Swept_arcs find_arcs_and_locate_vertices<TAG>(                                                       \
-    const COMPLEX&, const Vertex_order&, const Swept_vertices&, Arc_of_vertex&, const Stage_progress&);
+#define CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, COMPLEX, METHOD, NUMBER_OF_SLABS)                                         \
+  PREFIX template Swept_arcs find_arcs(const Threads&, const COMPLEX&, const Vertex_order&, const Swept_vertices&,     \
+                                       METHOD, NUMBER_OF_SLABS, const Stage_progress&);
+#define CGAL_REEB_GRAPH_FIND_ARCS(PREFIX, COMPLEX)                                                                     \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, COMPLEX, Default_method, Default_number_of_slabs)                               \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, COMPLEX, Method, Default_number_of_slabs)                                       \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, COMPLEX, Default_method, std::size_t)                                           \
+  CGAL_REEB_GRAPH_FIND_ARCS_BY(PREFIX, COMPLEX, Method, std::size_t)                                                   \
+  PREFIX template Swept_arcs find_arcs_and_locate_vertices(const Threads&, const COMPLEX&, const Vertex_order&,        \
+                                                           const Swept_vertices&, Arc_of_vertex&,                      \
+                                                           const Stage_progress&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARCS)
 
 } // namespace CGAL::Reeb_graph::internal

@@ -173,8 +173,7 @@ template <class Complex>
 class Slicing
 {
 public:
-  template <class ConcurrencyTag>
-  Slicing(ConcurrencyTag,
+  Slicing(const Threads& threads,
           const Complex& complex,
           const Vertex_order& order,
           const Swept_vertices& critical_vertices,
@@ -187,19 +186,19 @@ public:
                       largest_size_of_levels = 8 * number_of_edges + (std::size_t(1) << 20),
                       most_slabs = largest_size_of_levels / (number_of_edges / 16 + 1) + 1;
     number_of_slabs = static_cast<Index>((std::min)(std::size_t(number_of_slabs), most_slabs));
-    find_slabs_of_vertices<ConcurrencyTag>(order, number_of_slabs);
-    while(number_of_slabs > 2 && size_of_levels<ConcurrencyTag>() > largest_size_of_levels)
+    find_slabs_of_vertices(threads, order, number_of_slabs);
+    while(number_of_slabs > 2 && size_of_levels(threads) > largest_size_of_levels)
     {
       number_of_slabs = (number_of_slabs + 1) / 2;
-      find_slabs_of_vertices<ConcurrencyTag>(order, number_of_slabs);
+      find_slabs_of_vertices(threads, order, number_of_slabs);
     }
     levels_.assign(number_of_slabs - 1, Bounding_level(complex.number_of_edges()));
-    find_crossed_edges<ConcurrencyTag>();
-    for_each_index<ConcurrencyTag>(levels_.size(), [&](std::size_t i) {
+    find_crossed_edges(threads);
+    threads.for_each_index(levels_.size(), [&](std::size_t i) {
       levels_[i].find_contours(complex, [&](Vertex_index u) { return slabs_of_vertices_[u] <= Slab_index(i); });
     });
     distribute_critical_vertices();
-    for_each_index<ConcurrencyTag>(parts_.size(), [&](std::size_t slab) { fill_part(Slab_index(slab)); });
+    threads.for_each_index(parts_.size(), [&](std::size_t slab) { fill_part(Slab_index(slab)); });
   }
 
   Index number_of_slabs() const { return static_cast<Index>(parts_.size()); }
@@ -227,15 +226,14 @@ private:
   // The place of a slab's first critical vertex in ascending order.
   std::size_t first_of_slab(std::size_t slab) const { return slab * critical_vertices_.size() / parts_.size(); }
 
-  template <class ConcurrencyTag>
-  void find_slabs_of_vertices(const Vertex_order& order, Index number_of_slabs)
+  void find_slabs_of_vertices(const Threads& threads, const Vertex_order& order, Index number_of_slabs)
   {
     parts_.resize(number_of_slabs);
     Plain_vector<Vertex_index> level_vertices;
     for(std::size_t slab = 1; slab != number_of_slabs; ++slab)
       level_vertices.push_back(critical_vertices_.vertex(critical_vertices_.ascending()[first_of_slab(slab) - 1]));
     slabs_of_vertices_.reset(complex_.number_of_vertices(), Slab_index(0));
-    for_each_block<ConcurrencyTag>(slabs_of_vertices_.size(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(slabs_of_vertices_.size(), [&](std::size_t begin, std::size_t end) {
       for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
       {
         if(!complex_.has_vertex(v))
@@ -247,8 +245,7 @@ private:
     });
   }
 
-  template <class ConcurrencyTag>
-  std::size_t size_of_levels() const
+  std::size_t size_of_levels(const Threads& threads) const
   {
     const auto count = [&](std::size_t begin, std::size_t end, std::size_t& crossings) {
       for(const Edge_index edge : Index_range(Edge_index(begin), Edge_index(end)))
@@ -257,7 +254,7 @@ private:
           crossings += range_of_levels(edge).second - range_of_levels(edge).first;
       }
     };
-    return sum_of_parts<ConcurrencyTag, std::size_t>(complex_.number_of_edges(), count)
+    return threads.sum_of_parts<std::size_t>(complex_.number_of_edges(), count)
          + (parts_.size() - 1) * (complex_.number_of_edges() / 16);
   }
 
@@ -270,11 +267,10 @@ private:
   }
 
   // Finds the crossed edges in one sweep for all levels, in blocks that do not share a word of the sets.
-  template <class ConcurrencyTag>
-  void find_crossed_edges()
+  void find_crossed_edges(const Threads& threads)
   {
     const std::size_t end_of_edges = complex_.number_of_edges(), word = Index_set<Edge_index>::bits_per_word;
-    for_each_block<ConcurrencyTag>(end_of_edges / word + 1, [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(end_of_edges / word + 1, [&](std::size_t begin, std::size_t end) {
       const Edge_index first(begin * word), last((std::min)(end * word, end_of_edges));
       for(const Edge_index edge : Index_range(first, last))
       {
@@ -396,8 +392,7 @@ public:
   }
 
   // Paths are walked where they are on the surface, before the order of the field jumps about on it.
-  template <class ConcurrencyTag>
-  void find_path_ends()
+  void find_path_ends(const Threads& threads)
   {
     const std::size_t size = sector_components_.size();
     constexpr std::size_t smallest_part = 4; // On a smooth field there are few paths, but long ones.
@@ -406,14 +401,13 @@ public:
       for(const Sector_index i : Index_range(Sector_index(begin), Sector_index(end)))
         find_path_end(i, end_at_level(), passed);
     };
-    for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(size, smallest_part), size, find_ends);
+    threads.for_each_part(threads.number_of_parts(size, smallest_part), size, find_ends);
   }
 
   // Finds the ends of the paths from all vertices.
-  template <class ConcurrencyTag>
-  void find_path_ends_of_vertices()
+  void find_path_ends_of_vertices(const Threads& threads)
   {
-    for_each_block<ConcurrencyTag>(slab_.complex().number_of_vertices(), [&](std::size_t begin, std::size_t end) {
+    threads.for_each_block(slab_.complex().number_of_vertices(), [&](std::size_t begin, std::size_t end) {
       Plain_vector<Vertex_index> passed;
       for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
       {

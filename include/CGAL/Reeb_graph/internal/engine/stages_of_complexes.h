@@ -114,8 +114,9 @@ private:
 
 // Finds the wanted vertices of any complex; `is_wanted` gets the vertex, and its numbers of lower and upper sectors.
 // Links need not alternate, so both sides are counted. Two sweeps on one thread; only sorting uses more.
-template <class ConcurrencyTag, class IsWanted>
-Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
+template <class IsWanted>
+Swept_vertices find_vertices_of_complex(const Threads& threads,
+                                        const Simplicial_complex& complex,
                                         const Vertex_order& order,
                                         const IsWanted& is_wanted)
 {
@@ -155,36 +156,40 @@ Swept_vertices find_vertices_of_complex(const Simplicial_complex& complex,
     for(const Side side : both_sides)
       first_sectors[side] += forests.numbers_of_sectors(v)[side];
   }
-  result.template sort<ConcurrencyTag>(order);
+  result.sort(threads, order);
   result.set_kept_neighbors(std::move(kept_neighbors));
   return result;
 }
 
-inline bool has_critical_numbers_of_sectors(const By_side<Index>& numbers_of_sectors)
+// Whether a vertex with such numbers of sectors is critical.
+struct Are_critical
 {
-  return numbers_of_sectors[Side::LOWER] != 1 || numbers_of_sectors[Side::UPPER] != 1;
-}
+  bool operator()(Vertex_index, const By_side<Index>& numbers_of_sectors) const
+  {
+    return numbers_of_sectors[Side::LOWER] != 1 || numbers_of_sectors[Side::UPPER] != 1;
+  }
+};
 
-template <class ConcurrencyTag>
-Swept_vertices classify_vertices(const Simplicial_complex& complex, const Vertex_order& order)
+#define CGAL_REEB_GRAPH_FIND_VERTICES_OF_COMPLEX(PREFIX, COMPLEX)                                                      \
+  PREFIX template Swept_vertices find_vertices_of_complex(const Threads&, const COMPLEX&, const Vertex_order&,         \
+                                                          const Are_critical&);
+CGAL_REEB_GRAPH_FOR_SOUPS(CGAL_REEB_GRAPH_FIND_VERTICES_OF_COMPLEX)
+
+inline Swept_vertices classify_vertices(const Threads& threads,
+                                        const Simplicial_complex& complex,
+                                        const Vertex_order& order)
 {
-  return find_vertices_of_complex<ConcurrencyTag>(complex, order, [](Vertex_index, const By_side<Index>& numbers) {
-    return has_critical_numbers_of_sectors(numbers);
-  });
+  return find_vertices_of_complex(threads, complex, order, Are_critical());
 }
 
 // There is nothing left to check of a complex.
-template <class ConcurrencyTag>
-Classified_complex<Simplicial_complex> check_and_classify_vertices(Simplicial_complex complex,
-                                                                   const Vertex_order& order)
+inline Classified_complex<Simplicial_complex> check_and_classify_vertices(const Threads& threads,
+                                                                          Simplicial_complex complex,
+                                                                          const Vertex_order& order)
 {
-  Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(complex, order);
+  Swept_vertices critical_vertices = classify_vertices(threads, complex, order);
   return {std::move(complex), std::move(critical_vertices)};
 }
-
-#define CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP(PREFIX, TAG, COMPLEX)                                                \
-  PREFIX template Classified_complex<COMPLEX> check_and_classify_vertices<TAG>(COMPLEX, const Vertex_order&);
-CGAL_REEB_GRAPH_FOR_SOUPS(CGAL_REEB_GRAPH_CLASSIFY_VERTICES_OF_SOUP)
 
 // The other edge that the level crosses of a triangle at a crossed edge.
 template <class IsBelow>

@@ -89,17 +89,19 @@ private:
 
 // Makes nodes and arcs of the critical vertices and the arcs between them. A group of critical vertices is a node,
 // unless one arc enters it and one leaves it.
-template <class ConcurrencyTag, class Complex>
+template <class Complex>
 class Arc_reduction
 {
 public:
-  Arc_reduction(const Complex& complex,
+  Arc_reduction(const Threads& threads,
+                const Complex& complex,
                 const Vertex_order& order,
                 const Swept_vertices& critical_vertices,
                 const Swept_arcs& arcs,
                 Ties ties,
                 bool are_degree_two_nodes_kept)
-    : complex_(complex),
+    : threads_(threads),
+      complex_(complex),
       order_(order),
       critical_vertices_(critical_vertices),
       arcs_(arcs),
@@ -180,7 +182,7 @@ private:
   // Puts the arcs in order by lower node, and their segments in the order of the critical arcs that they begin with.
   void make_arcs()
   {
-    const std::size_t number_of_parts = internal::number_of_parts<ConcurrencyTag>(arcs_.size());
+    const std::size_t number_of_parts = threads_.number_of_parts(arcs_.size());
     const Plain_vector<std::size_t> begins_of_segments = find_begins_of_segments(number_of_parts);
     graph_.segments.reset(begins_of_segments.back());
     const auto make_arcs_of_part = [&](std::size_t part, std::size_t begin, std::size_t end) {
@@ -189,7 +191,7 @@ private:
         graph_.arcs[Arc_index(begins_of_arcs_[lower].number() + ranks_[i])] = make_arc(i, lower, segment);
       });
     };
-    for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), make_arcs_of_part);
+    threads_.for_each_part(number_of_parts, arcs_.size(), make_arcs_of_part);
   }
 
   // The places where the segments of each part of the critical arcs begin in the sequence of all segments; and the end.
@@ -204,7 +206,7 @@ private:
       });
       begins_of_segments[part + 1] = count;
     };
-    for_each_part<ConcurrencyTag>(number_of_parts, arcs_.size(), count_segments);
+    threads_.for_each_part(number_of_parts, arcs_.size(), count_segments);
     std::partial_sum(begins_of_segments.begin(), begins_of_segments.end(), begins_of_segments.begin());
     return begins_of_segments;
   }
@@ -299,7 +301,7 @@ private:
       const Vertex_index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
       return first_of_a != first_of_b ? order_(first_of_a, first_of_b) : a.edge < b.edge;
     };
-    for_each_block<ConcurrencyTag>(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
+    threads_.for_each_block(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
       for(std::size_t node = begin; node != end; ++node)
       {
         const auto first = graph_.arcs.begin() + begins_of_arcs_[Node_index(node)].number();
@@ -331,6 +333,7 @@ private:
     Swept_arc_index last_out_arc; // the only one of a group that is no node
   };
 
+  const Threads threads_;
   const Complex& complex_;
   const Vertex_order& order_;
   const Swept_vertices& critical_vertices_;
@@ -345,8 +348,9 @@ private:
   Flat_graph graph_;
 };
 
-template <class ConcurrencyTag, class Complex>
-Flat_graph reduce_arcs(const Complex& complex,
+template <class Complex>
+Flat_graph reduce_arcs(const Threads& threads,
+                       const Complex& complex,
                        const Vertex_order& order,
                        const Swept_vertices& critical_vertices,
                        const Swept_arcs& arcs,
@@ -354,13 +358,13 @@ Flat_graph reduce_arcs(const Complex& complex,
                        bool are_degree_two_nodes_kept,
                        bool are_passing_arcs_named)
 {
-  return Arc_reduction<ConcurrencyTag, Complex>(complex, order, critical_vertices, arcs, ties,
-                                                are_degree_two_nodes_kept)(are_passing_arcs_named);
+  return Arc_reduction<Complex>(threads, complex, order, critical_vertices, arcs, ties,
+                                are_degree_two_nodes_kept)(are_passing_arcs_named);
 }
 
-#define CGAL_REEB_GRAPH_REDUCE_ARCS(PREFIX, TAG, COMPLEX)                                                              \
-  PREFIX template Flat_graph reduce_arcs<TAG>(const COMPLEX&, const Vertex_order&, const Swept_vertices&,              \
-                                              const Swept_arcs&, Ties, bool, bool);
+#define CGAL_REEB_GRAPH_REDUCE_ARCS(PREFIX, COMPLEX)                                                                   \
+  PREFIX template Flat_graph reduce_arcs(const Threads&, const COMPLEX&, const Vertex_order&, const Swept_vertices&,   \
+                                         const Swept_arcs&, Ties, bool, bool);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_REDUCE_ARCS)
 
 // The chains of all arcs, one behind the other as their segments are.
@@ -404,15 +408,18 @@ Plain_vector<Halfedge_index> walk_segments(const Complex& complex,
 }
 
 // Engines find arcs by and large in the order of where they begin on the mesh, and segments have kept that order.
-template <class ConcurrencyTag, class Complex>
-Flat_chains find_arc_chains(const Complex& complex, const Vertex_order& order, const Flat_graph& graph)
+template <class Complex>
+Flat_chains find_arc_chains(const Threads& threads,
+                            const Complex& complex,
+                            const Vertex_order& order,
+                            const Flat_graph& graph)
 {
   const std::size_t size = graph.segments.size();
   Flat_chains chains;
   constexpr std::size_t smallest_part = 4; // On a smooth field there are few chains, but long ones.
-  chains.parts.resize(number_of_parts<ConcurrencyTag>(size, smallest_part));
+  chains.parts.resize(threads.number_of_parts(size, smallest_part));
   chains.begins_of_segments.reset(size + 1);
-  for_each_part<ConcurrencyTag>(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+  threads.for_each_part(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
     chains.parts[part] = walk_segments(complex, order, graph.segments.data() + begin, graph.segments.data() + end,
                                        chains.begins_of_segments.data() + begin);
   });
@@ -423,26 +430,27 @@ Flat_chains find_arc_chains(const Complex& complex, const Vertex_order& order, c
     sum += part.size();
   }
   chains.begins_of_segments.back() = sum;
-  for_each_part<ConcurrencyTag>(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
+  threads.for_each_part(chains.parts.size(), size, [&](std::size_t part, std::size_t begin, std::size_t end) {
     for(std::size_t i = begin; part != 0 && i != end; ++i)
       chains.begins_of_segments[Chain_segment_index(i)] += chains.begins_of_parts[part];
   });
   return chains;
 }
 
-#define CGAL_REEB_GRAPH_FIND_ARC_CHAINS(PREFIX, TAG, COMPLEX)                                                          \
-  PREFIX template Flat_chains find_arc_chains<TAG>(const COMPLEX&, const Vertex_order&, const Flat_graph&);
+#define CGAL_REEB_GRAPH_FIND_ARC_CHAINS(PREFIX, COMPLEX)                                                               \
+  PREFIX template Flat_chains find_arc_chains(const Threads&, const COMPLEX&, const Vertex_order&, const Flat_graph&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_ARC_CHAINS)
 
 // The halfedges of the mesh in the chains.
-template <class ConcurrencyTag, class FaceListGraph>
-auto chain_halfedges(const FaceListGraph& mesh,
+template <class FaceListGraph>
+auto chain_halfedges(const Threads& threads,
+                     const FaceListGraph& mesh,
                      const Halfedge_list<FaceListGraph>& halfedge_list,
                      const Flat_chains& chains)
 {
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
   std::vector<halfedge_descriptor> halfedges(chains.size());
-  for_each_index<ConcurrencyTag>(chains.parts.size(), [&](std::size_t part) {
+  threads.for_each_index(chains.parts.size(), [&](std::size_t part) {
     std::transform(chains.parts[part].begin(), chains.parts[part].end(),
                    halfedges.begin() + chains.begins_of_parts[part],
                    [&](Halfedge_index halfedge) { return halfedge_list(mesh, halfedge); });
@@ -456,22 +464,22 @@ using Node_array = decltype(std::declval<Graph&>().m_vertices.reserve(0));
 // Makes room for the nodes of an empty graph if they are in an array. There is no documented way, but this one has
 // always been there. Threads share what takes longest, longer than to write the nodes: to touch each new page of memory
 // for the first time.
-template <class ConcurrencyTag, class Graph>
-void reserve_nodes(Graph& graph, std::size_t size)
+template <class Graph>
+void reserve_nodes(const Threads& threads, Graph& graph, std::size_t size)
 {
   if constexpr(Has<Node_array, Graph>::value)
   {
     graph.m_vertices.reserve(size);
-    if constexpr(is_parallel<ConcurrencyTag>())
+    if(threads.are_parallel())
     {
       constexpr std::size_t page = 4096; // or a part of one
       volatile char* const bytes = reinterpret_cast<volatile char*>(graph.m_vertices.data());
       const std::size_t number_of_pages = size * sizeof(graph.m_vertices[0]) / page;
-      for_each_part<ConcurrencyTag>(number_of_parts<ConcurrencyTag>(number_of_pages, 64), number_of_pages,
-                                    [&](std::size_t, std::size_t begin, std::size_t end) {
-                                      for(std::size_t i = begin; i != end; ++i)
-                                        bytes[i * page] = 0;
-                                    });
+      threads.for_each_part(threads.number_of_parts(number_of_pages, 64), number_of_pages,
+                            [&](std::size_t, std::size_t begin, std::size_t end) {
+                              for(std::size_t i = begin; i != end; ++i)
+                                bytes[i * page] = 0;
+                            });
     }
   }
 }
@@ -490,15 +498,16 @@ void prefetch_node(const Graph& graph, std::size_t node)
 }
 
 // Replaces the content of `graph` by the nodes, and by the arcs without their chains.
-template <class ConcurrencyTag, class VertexList, class Field, class ReebGraph>
-void write_nodes_and_arcs(const VertexList& vertex_list,
+template <class VertexList, class Field, class ReebGraph>
+void write_nodes_and_arcs(const Threads& threads,
+                          const VertexList& vertex_list,
                           const Field& field,
                           const Flat_graph& flat_graph,
                           ReebGraph& graph)
 {
   typedef typename boost::vertex_bundle_type<ReebGraph>::type Node;
   graph.clear();
-  reserve_nodes<ConcurrencyTag>(graph, flat_graph.nodes.size());
+  reserve_nodes(threads, graph, flat_graph.nodes.size());
   constexpr std::size_t ahead = 12;
   for(const Node_index i : flat_graph.nodes.keys())
   {
@@ -543,8 +552,9 @@ void write_chains(const std::shared_ptr<const std::vector<HalfedgeDescriptor>>& 
 }
 
 // Walks the chains of the arcs beside writing nodes and arcs, for which one thread is enough, into `graph`.
-template <class ConcurrencyTag, class FaceListGraph, class Complex, class Field, class ReebGraph>
-void write_graph(const FaceListGraph& mesh,
+template <class FaceListGraph, class Complex, class Field, class ReebGraph>
+void write_graph(const Threads& threads,
+                 const FaceListGraph& mesh,
                  const Complex& complex,
                  const Mesh_numbers<FaceListGraph>& numbers,
                  const Field& field,
@@ -553,19 +563,19 @@ void write_graph(const FaceListGraph& mesh,
 {
   const Vertex_order order(field.keys());
   Flat_chains chains;
-  decltype(chain_halfedges<ConcurrencyTag>(mesh, numbers.halfedges, chains)) halfedges;
+  decltype(chain_halfedges(threads, mesh, numbers.halfedges, chains)) halfedges;
   bool is_graph_changed = false;
   try
   {
-    invoke_both<ConcurrencyTag>(
+    threads.invoke_both(
       [&] {
-        chains = find_arc_chains<ConcurrencyTag>(complex, order, flat_graph);
-        halfedges = chain_halfedges<ConcurrencyTag>(mesh, numbers.halfedges, chains);
+        chains = find_arc_chains(threads, complex, order, flat_graph);
+        halfedges = chain_halfedges(threads, mesh, numbers.halfedges, chains);
         chains.parts.clear(); // The graph takes much memory.
       },
       [&] {
         is_graph_changed = true;
-        write_nodes_and_arcs<ConcurrencyTag>(numbers.vertices, field, flat_graph, graph);
+        write_nodes_and_arcs(threads, numbers.vertices, field, flat_graph, graph);
       });
   }
   catch(...) // Memory has run out.

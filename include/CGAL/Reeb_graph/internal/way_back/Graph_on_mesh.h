@@ -14,9 +14,10 @@
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
@@ -110,7 +111,7 @@ auto sort_vertices_by_place(const VertexList& vertex_list,
   });
   const Index_range<Place_index> all_places(number_of_places);
   for(const Place_index place : all_places)
-    internal::sort<Sequential_tag>(keys[place].begin(), keys[place].end(), order);
+    internal::sort(Threads(), keys[place].begin(), keys[place].end(), order);
   typedef typename VertexList::vertex_descriptor vertex_descriptor;
   return Buckets<Place_index, vertex_descriptor>(number_of_places, [&](const auto& visit) {
     for(const Place_index place : all_places)
@@ -263,7 +264,7 @@ public:
                 const Traits& traits,
                 const NamedParameters& np,
                 const Progress& progress)
-    : Base(graph, traits, progress, [&] { return share_flat<Sequential_tag>(mesh, scalar_map, traits, np); }),
+    : Base(graph, traits, progress, [&] { return share_flat(Threads(), mesh, scalar_map, traits, np); }),
       Mesh_cells<FaceListGraph>(mesh)
   {}
 
@@ -495,8 +496,9 @@ void check_is_arc(const ReebGraph& graph, typename boost::graph_traits<ReebGraph
 
 // The places of all vertices in the exact graph, which is computed once more. Nothing but the surface and the order of
 // its vertices is asked. check_graph(graph) may throw.
-template <class ConcurrencyTag, class Complex>
-Place_of_vertex find_places(const Complex& complex,
+template <class Complex>
+Place_of_vertex find_places(const Threads& threads,
+                            const Complex& complex,
                             const Vertex_order& order,
                             Ties ties,
                             bool are_degree_two_nodes_kept,
@@ -504,21 +506,22 @@ Place_of_vertex find_places(const Complex& complex,
                             const Progress& progress)
 {
   progress.report(0);
-  const Swept_vertices critical_vertices = classify_vertices<ConcurrencyTag>(complex, order);
+  const Swept_vertices critical_vertices = classify_vertices(threads, complex, order);
   Arc_of_vertex arc_of_vertex;
-  const Swept_arcs arcs = find_arcs_and_locate_vertices<ConcurrencyTag>(
-    complex, order, critical_vertices, arc_of_vertex, Stage_progress(progress, 0.3, 0.85));
+  const Swept_arcs arcs = find_arcs_and_locate_vertices(threads, complex, order, critical_vertices, arc_of_vertex,
+                                                        Stage_progress(progress, 0.3, 0.85));
   progress.report(0.9);
   const Flat_graph graph =
-    reduce_arcs<ConcurrencyTag>(complex, order, critical_vertices, arcs, ties, are_degree_two_nodes_kept, true);
+    reduce_arcs(threads, complex, order, critical_vertices, arcs, ties, are_degree_two_nodes_kept, true);
   progress.report(0.95);
   check_graph(graph);
-  return find_vertex_places<ConcurrencyTag>(complex, order, critical_vertices, arcs, arc_of_vertex, graph, ties);
+  return find_vertex_places(threads, complex, order, critical_vertices, arcs, arc_of_vertex, graph, ties);
 }
 
 // The places of all vertices in the graph, which has to be the exact one, or one that this has been simplified to.
-template <class ConcurrencyTag, class VertexPlaces, class GraphOnMesh, class NamedParameters>
-VertexPlaces locate_vertices(const GraphOnMesh& on_mesh,
+template <class VertexPlaces, class GraphOnMesh, class NamedParameters>
+VertexPlaces locate_vertices(const Threads& threads,
+                             const GraphOnMesh& on_mesh,
                              Ties ties,
                              bool are_degree_two_nodes_kept,
                              const Simplified_places& simplified_places,
@@ -538,8 +541,8 @@ VertexPlaces locate_vertices(const GraphOnMesh& on_mesh,
     const auto check_graph = [&](const Flat_graph& flat_graph) {
       check_same_graph(on_mesh, flat_graph, simplified_places);
     };
-    *place_of_vertex = find_places<ConcurrencyTag>(on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept,
-                                                   check_graph, progress);
+    *place_of_vertex =
+      find_places(threads, on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept, check_graph, progress);
   }
   if(simplified_places)
   {
@@ -553,9 +556,9 @@ VertexPlaces locate_vertices(const GraphOnMesh& on_mesh,
     std::make_shared<Vertex_lists<vertex_descriptor>>(on_mesh.list_vertices(place_of_vertex, number_of_places)));
 }
 
-#define CGAL_REEB_GRAPH_FIND_PLACES(PREFIX, TAG, COMPLEX)                                                              \
-  PREFIX template Place_of_vertex find_places<TAG>(const COMPLEX&, const Vertex_order&, Ties, bool,                    \
-                                                   const std::function<void(const Flat_graph&)>&, const Progress&);
+#define CGAL_REEB_GRAPH_FIND_PLACES(PREFIX, COMPLEX)                                                                   \
+  PREFIX template Place_of_vertex find_places(const Threads&, const COMPLEX&, const Vertex_order&, Ties, bool,         \
+                                              const std::function<void(const Flat_graph&)>&, const Progress&);
 CGAL_REEB_GRAPH_FOR_COMPLEXES(CGAL_REEB_GRAPH_FIND_PLACES)
 
 } // namespace CGAL::Reeb_graph::internal

@@ -11,8 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
@@ -28,8 +29,9 @@ namespace CGAL::Reeb_graph::internal {
 
 // The place of each vertex in the exact graph, from the arcs between critical vertices and what they have been reduced
 // to: the number of a node, or the number of nodes plus that of an arc.
-template <class ConcurrencyTag, class Complex>
-Place_of_vertex find_vertex_places(const Complex& complex,
+template <class Complex>
+Place_of_vertex find_vertex_places(const Threads& threads,
+                                   const Complex& complex,
                                    const Vertex_order& order,
                                    const Swept_vertices& critical_vertices,
                                    const Swept_arcs& critical_arcs,
@@ -55,7 +57,7 @@ Place_of_vertex find_vertex_places(const Complex& complex,
   Place_of_vertex places(complex.number_of_vertices(), no_index);
   for(const Swept_index critical : critical_vertices.indices())
     places[critical_vertices.vertex(critical)] = place_of_critical(critical);
-  for_each_block<ConcurrencyTag>(places.size(), [&](std::size_t begin, std::size_t end) {
+  threads.for_each_block(places.size(), [&](std::size_t begin, std::size_t end) {
     for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
     {
       if(places[vertex] == no_index && complex.has_vertex(vertex))
@@ -70,7 +72,7 @@ struct No_vertex_places
 {
   static constexpr bool are_wanted = false;
 
-  template <class ConcurrencyTag, class... Arguments>
+  template <class... Arguments>
   void find(const Arguments&...) const
   {}
 
@@ -88,17 +90,19 @@ public:
 
   explicit Vertex_places_for_map(const PlaceMap& map) : map_(map) {}
 
-  template <class ConcurrencyTag, class Complex>
-  Swept_arcs find_arcs(const Complex& complex,
+  template <class Complex>
+  Swept_arcs find_arcs(const Threads& threads,
+                       const Complex& complex,
                        const Vertex_order& order,
                        const Swept_vertices& critical_vertices,
                        const Stage_progress& progress)
   {
-    return find_arcs_and_locate_vertices<ConcurrencyTag>(complex, order, critical_vertices, arc_of_vertex_, progress);
+    return find_arcs_and_locate_vertices(threads, complex, order, critical_vertices, arc_of_vertex_, progress);
   }
 
-  template <class ConcurrencyTag, class Complex>
-  void find(const Complex& complex,
+  template <class Complex>
+  void find(const Threads& threads,
+            const Complex& complex,
             const Vertex_order& order,
             const Swept_vertices& critical_vertices,
             const Swept_arcs& critical_arcs,
@@ -106,7 +110,7 @@ public:
             Ties ties)
   {
     places_ =
-      find_vertex_places<ConcurrencyTag>(complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties);
+      find_vertex_places(threads, complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties);
     arc_of_vertex_ = Arc_of_vertex();
   }
 

@@ -14,9 +14,9 @@
 #include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
@@ -422,10 +422,10 @@ std::vector<double> perturbed_values(const Complex& complex,
   return Moved_pieces<Complex>(complex, graph, saddles, rooms, spread, threshold, format).move();
 }
 
-#define CGAL_REEB_GRAPH_PERTURBED_VALUES(PREFIX, TAG, COMPLEX)                                                         \
+#define CGAL_REEB_GRAPH_PERTURBED_VALUES(PREFIX, COMPLEX)                                                              \
   PREFIX template std::vector<double> perturbed_values(const COMPLEX&, const std::vector<Index>&, std::vector<Index>,  \
                                                        const std::vector<double>&, double, Number_format);
-CGAL_REEB_GRAPH_FOR_SURFACES_ONCE(CGAL_REEB_GRAPH_PERTURBED_VALUES)
+CGAL_REEB_GRAPH_FOR_SURFACES(CGAL_REEB_GRAPH_PERTURBED_VALUES)
 
 // Computes the graph with the places of the vertices, by their numbers.
 template <class Graph, class FlatField, class NamedParameters>

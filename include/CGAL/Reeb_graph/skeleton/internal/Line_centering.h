@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Bead_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Blunt_end.h>
 

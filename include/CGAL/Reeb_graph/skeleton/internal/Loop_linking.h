@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
 #include <CGAL/Reeb_graph/internal/space/Projected_segments.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_ways.h>

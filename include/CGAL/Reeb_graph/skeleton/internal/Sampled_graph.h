@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/Flat_field.h>
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/parallel.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #include <CGAL/compute_reeb_graph.h>
