@@ -69,15 +69,6 @@ public:
   bool is_alive(Index arc) const { return is_alive_[arc]; }
   Index degree(Index node) const { return degrees_[node]; }
 
-  // Takes off the branches of some tips that are still there, and what goes then.
-  void remove_all(const std::vector<Index>& tips)
-  {
-    for(const Index tip : tips)
-      if(degrees_[tip] == 1 && degrees_[branches_[tip].end] > 2)
-        remove(tip);
-    run();
-  }
-
   // Where the branch with a node, or arc, has left what is still there.
   Index trunk_of(Index node)
   {

@@ -170,21 +170,6 @@ public:
 
   double least_radius() const { return least_radius_; }
 
-  // The tips, as nodes of the graph, that hardly protrude from a ball in which a line of another chain passes the center:
-  // the last places that fronts reach that meet in a tube have no limb of their own.
-  std::vector<Index> covered_tips(const Surface_tree& tree, double ratio, const Stage_progress& progress) const
-  {
-    std::vector<Index> tips;
-    for(Index chain = 0; chain != lines_.size(); ++chain)
-    {
-      progress.report_step(chain, lines_.size());
-      for(const Index end : chains_.chains()[chain].ends)
-        if(nodes_.at(end).kind == Line_end::TIP && lines_.size() > 1 && is_covered(tree, end, chain, ratio))
-          tips.push_back(end);
-    }
-    return tips;
-  }
-
   // A point at a place of a chain.
   Line_point make_point(Index chain, double place) const
   {
@@ -206,31 +191,6 @@ private:
     const auto box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
     return (std::min)(mean / 2,
                       distance({box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()}) / 50);
-  }
-
-  bool is_covered(const Surface_tree& tree, Index tip, Index of_tip, double ratio) const
-  {
-    const Point& top = nodes_.at(tip).point.point;
-    const Vector inwards = tree.inward_direction(graph_.vertex(tip));
-    const double depth = tree.depth_beneath(graph_.vertex(tip), inwards);
-    const int number_of_steps = 8;
-    for(int i = 1; i != number_of_steps; ++i)
-    {
-      const double step = depth * i / number_of_steps;
-      const Point center = top + step * inwards;
-      const double inscribed = tree.distance_from(center, top);
-      if(!(step - inscribed < ratio / 2 * inscribed))
-        continue;
-      const auto& ends = chains_.chains()[of_tip].ends;
-      for(const auto& [node, other] : nodes_)
-        if(node != ends[0] && node != ends[1] && distance(other.point.point, center) < ratio * inscribed)
-          return true;
-      for(Index chain = 0; chain != lines_.size(); ++chain)
-        for(const Line_point& p : lines_[chain])
-          if(chain != of_tip && distance(p.point, center) < ratio * inscribed)
-            return true;
-    }
-    return false;
   }
 
   // The last sample of a chain that ends there, or the first one of one that begins there.

@@ -143,25 +143,6 @@ private:
   std::vector<std::vector<Index>> arcs_; // by chain, with those that have become a node
 };
 
-// Takes branches off that the lines of other ones make needless.
-inline void remove_covered_tips(const Sampled_graph& graph,
-                                const Surface_tree& tree,
-                                const Filled_component& component,
-                                const Skeleton_options& options,
-                                Branch_pruning& pruning,
-                                const Stage_progress& progress)
-{
-  while(options.pruning_ratio > 0)
-  {
-    const Graph_chains chains(graph, pruning);
-    const Skeleton_lines lines(graph, chains, component, options, component.values.empty(), progress.part(0, 0.7));
-    const std::vector<Index> tips = lines.covered_tips(tree, options.pruning_ratio, progress.part(0.7, 1));
-    if(tips.empty())
-      return;
-    pruning.remove_all(tips);
-  }
-}
-
 inline bool does_self_intersect(const Mesh& mesh, const Stage_progress& progress)
 {
   progress(0);
@@ -201,8 +182,7 @@ Component_skeleton make_component_skeleton(Component component,
   std::vector<bool> is_border(graph.number_of_nodes(), false);
   for(Index node = 0; node != graph.number_of_nodes(); ++node)
     is_border[node] = options.are_borders_ends && component.is_apex(graph.vertex(node));
-  Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, is_border, progress.part(0.2, 0.3));
-  remove_covered_tips(graph, tree, component, options, pruning, progress.part(0.3, 0.4));
+  Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, is_border, progress.part(0.2, 0.4));
   Graph_chains chains(graph, pruning);
   Skeleton_lines lines(graph, chains, component, options, are_distances, progress.part(0.4, 0.45));
   Inside_lines inside(graph, chains, tree, lines, options.sampling_ratio, result.is_self_intersecting,
