@@ -268,7 +268,7 @@ Tubes tube_with_branch(double lean)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(thin_branches_of_wide_tubes, Mesh, Meshes)
 {
-  for(const double lean : {0., 20.})
+  for(const double lean : {0., 10., 20., 30.})
   {
     const Tubes sample = tube_with_branch(lean);
     const auto soup = tube_samples::surface(sample);

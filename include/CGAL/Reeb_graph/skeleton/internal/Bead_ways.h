@@ -30,6 +30,7 @@ protected:
     double pace = 0.5; // of its steps
     double way = 0;    // that it has gone in a turn of rounds, by depths
     bool is_settled = false, is_fixed = false;
+    bool is_across_tube = false;              // the contour that has the radius
     std::optional<Mesh::Vertex_index> vertex; // of the surface, at an end, which stays,
     std::optional<Mesh::Face_index> face;     // or in whose middle that is
 

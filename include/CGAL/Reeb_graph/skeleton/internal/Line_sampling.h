@@ -128,14 +128,29 @@ private:
   }
 
   // Takes the radius of the contour in the plane across the line. Where that is not one across a tube, what it is stays.
-  void measure(const Vector& along, Line_point& p) const
+  void measure(const Vector& along, Bead& bead) const
   {
+    Line_point& p = bead.point;
     const double size = length(along);
     if(!(size > 0))
       return;
     const Plane_contour contour(tree_, p.point, along / size, p.on_surface);
     if(contour.is_across_tube())
       p.radius = *contour.radius();
+    bead.is_across_tube = contour.is_across_tube() && p.radius < 1.5 * bead.depth;
+  }
+
+  // Where a line begins at a junction, contours can be those of the trunk, or oblique: the radius there is that of the first one
+  // across a tube.
+  static void measure_mouth(Beads& beads, bool is_last)
+  {
+    const auto at = [&](std::size_t i) -> Bead& { return beads[is_last ? beads.size() - 1 - i : i]; };
+    std::size_t first = 1;
+    while(first + 1 < beads.size() && !at(first).is_across_tube
+          && distance(at(first).point.point, at(0).point.point) < 2 * at(0).depth)
+      ++first;
+    for(std::size_t i = 1; i != first && at(first).is_across_tube; ++i)
+      at(i).point.radius = at(first).point.radius;
   }
 
   // A bead between two, with its radius.
@@ -146,7 +161,7 @@ private:
     point.radius = (1 - t) * a.point.radius + t * b.point.radius;
     point.place = (1 - t) * a.point.place + t * b.point.place;
     Bead bead = make_bead(point);
-    measure(b.point.point - a.point.point, bead.point);
+    measure(b.point.point - a.point.point, bead);
     return bead;
   }
 
@@ -156,9 +171,12 @@ private:
     for(const bool is_last : {false, true})
       (is_last ? beads.back() : beads.front()).point.radius = end(chain, is_last).point.radius;
     for(std::size_t i = 1; i + 1 < beads.size(); ++i)
-      measure(beads[i + 1].point.point - beads[i - 1].point.point, beads[i].point);
+      measure(beads[i + 1].point.point - beads[i - 1].point.point, beads[i]);
     if(!(spacing_ > 0))
       beads = with_points_between(beads);
+    for(const bool is_last : {false, true})
+      if(end(chain, is_last).kind == Line_end::JUNCTION)
+        measure_mouth(beads, is_last);
     Skeleton_lines::Line& line = lines_.lines()[chain];
     line.clear();
     for(std::size_t i = 1; i + 1 < beads.size(); ++i)
