@@ -349,8 +349,9 @@ BOOST_AUTO_TEST_CASE(faces_cut_at_random_make_no_ends)
   }
 }
 
-// Nor does a fat ring get any, whose fronts meet at its far side.
-BOOST_AUTO_TEST_CASE(tori_have_no_ends)
+// Nor does a fat ring get any, whose fronts meet at its far side. Its line is in the middle, though the surface that is near the
+// line on the way there has edges.
+BOOST_AUTO_TEST_CASE(lines_of_tori_have_no_ends_and_are_in_the_middle)
 {
   for(std::size_t seed = 0; seed != 60; ++seed)
   {
@@ -372,6 +373,9 @@ BOOST_AUTO_TEST_CASE(tori_have_no_ends)
       BOOST_TEST(known.number_of_ends == 0u);
       BOOST_TEST(known.number_of_loops == 1u);
       BOOST_TEST(known.number_of_contractible_loops == 0u);
+      const double length = length_of(skeleton) / (2 * pi); // of a line in the middle, which is a polygon
+      BOOST_TEST(length > 0.92);
+      BOOST_TEST(length < 1.02);
     }
   }
 }

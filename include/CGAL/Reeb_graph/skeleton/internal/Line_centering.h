@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -408,43 +409,42 @@ private:
            [&](const Point& p, double depth, const Vector& away) { return cost_of_node(neighbors, p, depth, away); });
   }
 
-  // Moves down the gradient, across the line, if that pays.
+  // Moves down the gradient, across the line, if that pays. A step over a ridge, beyond which other points of the surface are
+  // closest, does not: then the least vector between the gradients on both sides leads along it.
   template <class Cost_of>
   void move(std::size_t number, const Numbers& neighbors, const Vector& along, const Cost_of& cost_of)
   {
     Bead& bead = beads_[number];
-    const double depth = bead.depth;
     bead.is_settled = true;
-    if(!(depth > 0))
+    if(!(bead.depth > 0))
       return;
-    const Point p = bead.point.point;
-    const Cost before = cost_of(p, depth, (p - bead.point.on_surface) / depth);
-    Vector step = -bead.pace * depth * depth * before.gradient;
-    if(const double square = along.squared_length(); square > 0)
-      step = step - (step * along) / square * along;
-    const double size = length(step), most = 0.3 * depth;
-    if(size > most)
-      step = most / size * step;
-    if(!(size > least_share * depth))
+    const auto cost_at = [&](const Bead& b) {
+      return b.depth > 0 ? cost_of(b.point.point, b.depth, (b.point.point - b.point.on_surface) / b.depth)
+                         : Cost{std::numeric_limits<double>::infinity(), NULL_VECTOR};
+    };
+    const Cost before = cost_at(bead);
+    const Vector gradient = across(before.gradient, along);
+    Bead next = stepped(bead, gradient);
+    if(!is_far(next, bead))
       return;
-    const Point q = p + step;
-    const Point closest = tree_.closest_on_wall(q, bead.point.on_surface);
-    const double new_depth = distance(q, closest);
-    if(!(new_depth > 0) || !(cost_of(q, new_depth, (q - closest) / new_depth).value < before.value)
-       || !std::all_of(neighbors.begin(), neighbors.end(), [&](std::size_t neighbor) {
-            return is_free(beads_[neighbor], bead, {q, std::nullopt});
-          }))
+    Cost after = cost_at(next);
+    const bool is_over_ridge = !(after.value < before.value);
+    if(is_over_ridge)
     {
-      bead.pace /= 2;
-      bead.is_settled = bead.pace < 0.02;
-      return;
+      next = stepped(bead, least_between(gradient, across(after.gradient, along)));
+      after = is_far(next, bead) ? cost_at(next) : before;
     }
-    bead.is_settled = false;
-    bead.way += length(step) / depth;
-    bead.point.point = q;
-    bead.point.on_surface = closest;
-    bead.depth = new_depth;
-    bead.pace = (std::min)(1.4 * bead.pace, 1.);
+    const bool is_better =
+      after.value < before.value && std::all_of(neighbors.begin(), neighbors.end(), [&](std::size_t neighbor) {
+        return is_free(beads_[neighbor], bead, next.place());
+      });
+    bead.is_settled = !is_better && bead.pace < 0.04;
+    bead.pace = is_over_ridge || !is_better ? bead.pace / 2 : (std::min)(1.4 * bead.pace, 1.);
+    if(!is_better)
+      return;
+    bead.way += distance(next.point.point, bead.point.point) / bead.depth;
+    bead.point = next.point;
+    bead.depth = next.depth;
     for(const std::size_t neighbor : neighbors)
       if(beads_[neighbor].is_settled)
       {
@@ -453,8 +453,37 @@ private:
       }
   }
 
-  static constexpr int most_turns = 8, rounds_between = 5;
-  static constexpr double way_of_rest = 0.2;   // by depths, in a turn
+  static Vector across(const Vector& v, const Vector& along)
+  {
+    const double square = along.squared_length();
+    return square > 0 ? v - (v * along) / square * along : v;
+  }
+
+  static Vector least_between(const Vector& v, const Vector& w)
+  {
+    const Vector way = w - v;
+    const double square = way.squared_length();
+    return square > 0 ? v + std::clamp(-(v * way) / square, 0., 1.) * way : v;
+  }
+
+  Bead stepped(const Bead& bead, const Vector& gradient) const
+  {
+    Vector step = -bead.pace * bead.depth * bead.depth * gradient;
+    const double size = length(step), most = 0.3 * bead.depth;
+    if(size > most)
+      step = most / size * step;
+    Line_point point = bead.point;
+    point.point = point.point + step;
+    return make_bead(point);
+  }
+
+  static bool is_far(const Bead& next, const Bead& bead)
+  {
+    return distance(next.point.point, bead.point.point) > least_share * bead.depth;
+  }
+
+  static constexpr int most_turns = 12, rounds_between = 5;
+  static constexpr double way_of_rest = 0.05;  // by depths, in a turn
   static constexpr double least_share = 0.003; // of the depth, in a step
   static constexpr double bending = 0.1;
 };
