@@ -89,7 +89,7 @@ def cylinder(fine, ends):
     radii = r * np.array([0] * (lids > 0) + [1] * len(z) + [0] * (lids > 1))
     truths = dict(borders=2 - lids, border_ends=2 - lids, area=about(2 * pi * r * h + lids * pi * r * r), limbs=2, ends=2)
     truths |= dict(volume=about(pi * r * r * h), critical=(1, 0, 1)) if lids == 2 else {}
-    return tube(line, radii, 16 * fine), dict(truths, length=about(h, by=0.3), radius=about(0.95, by=0.1))
+    return tube(line, radii, 16 * fine), dict(truths, length=about(h, by=0.3), radius=about(r * (1 - lids * r / (2 * h)), by=0.05))
 @plain()
 def bent_tube(fine):
     angles, bend = np.linspace(0, pi, 20 * fine), 4

@@ -40,10 +40,10 @@ public:
     const double farthest = 4 * (radius + distance(from, seen->first));
     if(const auto axis = mean_normal(seen->second, along, seen->first, farthest))
       if(mean_normal(seen->second, *axis, seen->first, farthest) && is_flat(*axis))
-        find_middle(seen->first);
+        find_middle();
   }
 
-  // The point near the middle of the cap that is nearest to what is seen, if the limb ends bluntly.
+  // The middle of the cap, if the limb ends bluntly.
   const std::optional<Surface_place>& middle() const { return middle_; }
 
   double radius() const { return std::sqrt(area_ / pi); }
@@ -98,17 +98,15 @@ private:
     return flat_area_ > least_flat_share * area_ && highest - lowest < radius() / 2;
   }
 
-  void find_middle(const Point& seen)
+  void find_middle()
   {
-    const double away = distance(seen, centroid_), most = share_beside * radius();
-    const auto [closest, face] = tree_.closest_place(centroid_ + (away > most ? most / away : 1) * (seen - centroid_));
-    const auto [a, b, c] = tree_.corners(face);
-    middle_ = {closest + share_to_center * (CGAL::centroid(a, b, c) - closest), std::nullopt, face};
+    const auto [closest, face] = tree_.closest_place(centroid_);
+    middle_ = {closest + share_to_center * (tree_.center(face) - closest), std::nullopt, face};
   }
 
   static constexpr double cosine_of_60 = 0.5, cosine_of_30 = 0.8660254037844386;
-  static constexpr double least_flat_share = 0.8, share_beside = 0.12;
-  static constexpr double share_to_center = 0.05; // so that the point is on no edge
+  static constexpr double least_flat_share = 0.8;
+  static constexpr double share_to_center = 0.01; // so that the point is on no edge
 
   const Surface_tree& tree_;
   const Mesh& mesh_;
