@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -57,7 +58,8 @@ public:
   // The sign of the crossing of `a` over `b`: 0 if they do not cross, or if `a` is below.
   int crossing_over(const Segment& a, const Segment& b) const
   {
-    return may_cross(a, b) ? decide([&](auto zero) { return crossing_over<decltype(zero)>(a, b); }) : 0;
+    const auto known = crossing_by_rounded_numbers(a, b);
+    return known ? *known : decide([&](auto zero) { return crossing_over<decltype(zero)>(a, b); });
   }
 
   // The sign of det(a[1] - a[0], b - a[0], c - a[0]) for vertices.
@@ -107,24 +109,33 @@ private:
   {
   };
 
-  // Whether rounded numbers leave open that two segments cross: those of most pairs of boxes do not.
-  bool may_cross(const Segment& a, const Segment& b) const
+  // The crossing of `a` over `b` by rounded numbers, if they tell: errors stay below a share of the size.
+  std::optional<int> crossing_by_rounded_numbers(const Segment& a, const Segment& b) const
   {
     double size = 0;
+    std::array<Vector<double>, 4> ends;
     std::array<std::array<double, 2>, 4> seen;
     for(std::size_t i = 0; i != seen.size(); ++i)
     {
-      const Vector<double> p = point<double>(i < 2 ? a[i] : b[i - 2]);
+      const Vector<double> p = ends[i] = point<double>(i < 2 ? a[i] : b[i - 2]);
       seen[i] = {p.x() - direction_[0] / direction_[2] * p.z(), p.y() - direction_[1] / direction_[2] * p.z()};
       size = (std::max)({size, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
     }
-    const double error = 256 * std::numeric_limits<double>::epsilon() * size * size;
+    const double least = std::numeric_limits<double>::epsilon() * size * size, error = 256 * least;
     const auto turn = [&](std::size_t i, std::size_t j, std::size_t k) {
       return (seen[j][0] - seen[i][0]) * (seen[k][1] - seen[i][1])
            - (seen[j][1] - seen[i][1]) * (seen[k][0] - seen[i][0]);
     };
     const auto are_beside = [&](double p, double q) { return (p > error && q > error) || (p < -error && q < -error); };
-    return !are_beside(turn(0, 1, 2), turn(0, 1, 3)) && !are_beside(turn(2, 3, 0), turn(2, 3, 1));
+    const std::array<double, 4> turns = {turn(0, 1, 2), turn(0, 1, 3), turn(2, 3, 0), turn(2, 3, 1)};
+    if(are_beside(turns[0], turns[1]) || are_beside(turns[2], turns[3]))
+      return 0;
+    const Vector<double> normal = cross_product(ends[1] - ends[0], ends[3] - ends[2]);
+    const double slope = normal * vector<double>(direction_), height = (ends[2] - ends[0]) * normal;
+    if(!are_beside(turns[0], -turns[1]) || !are_beside(turns[2], -turns[3]) || !(std::abs(slope) > 1024 * least)
+       || !(std::abs(height) > 4096 * least * size))
+      return std::nullopt;
+    return (slope > 0) == (height > 0) ? 0 : slope > 0 ? 1 : -1;
   }
 
   template <class Predicate>

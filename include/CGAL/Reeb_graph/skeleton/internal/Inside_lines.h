@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_ways.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -34,7 +35,6 @@ public:
                const Graph_chains& chains,
                const Surface_tree& tree,
                Skeleton_lines& lines,
-               double sampling_ratio,
                bool is_self_intersecting,
                const Stage_progress& progress)
     : graph_(graph),
@@ -42,7 +42,6 @@ public:
       tree_(tree),
       ways_(tree),
       lines_(lines),
-      sampling_ratio_(sampling_ratio),
       progress_(progress),
       loops_(lines.ends())
   {
@@ -152,6 +151,7 @@ private:
     if(!(group < loop_group_))
       return;
     loop_group_ = group;
+    keep_lines(lines, of_lines, ways, of_ways);
     for(Index chain = 0; chain != ways.size(); ++chain)
       if(of_ways[chain] != of_lines[chain])
       {
@@ -208,6 +208,37 @@ private:
     }
   }
 
+  // Gives as many chains as can be their lines back, as ways along the surface are long: those first whose ways are longest.
+  void keep_lines(const Ways& lines, const Rows& of_lines, const Ways& ways, Rows& of_ways) const
+  {
+    std::vector<std::pair<double, Index>> order;
+    for(Index chain = 0; chain != ways.size(); ++chain)
+      if(of_ways[chain] != of_lines[chain])
+        order.emplace_back(length_of(lines[chain]) - length_of(ways[chain]), chain);
+    std::sort(order.begin(), order.end());
+    std::vector<Kept_lines::Candidate> candidates;
+    for(const auto& [any, chain] : order)
+    {
+      candidates.push_back({loops_.cycles_of(chain), of_lines[chain]});
+      add_multiple(candidates.back().change, of_ways[chain], -1);
+    }
+    const Kept_lines kept(loops_.linking_numbers(of_ways), candidates);
+    Rows rows = of_ways;
+    for(std::size_t i = 0; i != order.size(); ++i)
+      if(kept.is_kept(i))
+        rows[order[i].second] = of_lines[order[i].second];
+    if(!(loop_group_ < loops_.group(rows)))
+      of_ways = std::move(rows);
+  }
+
+  static double length_of(const std::vector<Point>& way)
+  {
+    double sum = 0;
+    for(std::size_t i = 1; i < way.size(); ++i)
+      sum += distance(way[i - 1], way[i]);
+    return sum;
+  }
+
   // Sets the ways of some chains as the surface leads, where there are such.
   void lead(const Loop_tracing& tracing,
             const std::vector<Index>& chains,
@@ -219,7 +250,7 @@ private:
       const Index chain = chains[i];
       progress_.part(0.6, 0.8).report_step(i, chains.size());
       auto way = ways_.way_along(place_of_end(chain, false).surface_place(), place_of_end(chain, true).surface_place(),
-                                 tracing.path(chain, windings[chain]), sampling_ratio_);
+                                 tracing.path(chain, windings[chain]));
       if(!way.empty())
         ways[chain] = std::move(way);
     }
@@ -275,9 +306,12 @@ private:
   // Adds the points of a way between two places.
   static void add_way(const std::vector<Point>& way, const Place& a, const Place& b, std::vector<Line_point>& line)
   {
+    const double length = length_of(way);
+    double passed = 0;
     for(std::size_t i = 1; i + 1 < way.size(); ++i)
     {
-      const double t = static_cast<double>(i) / static_cast<double>(way.size() - 1);
+      passed += distance(way[i - 1], way[i]);
+      const double t = passed / length;
       line.push_back({way[i], (1 - t) * a.point.radius + t * b.point.radius, 0,
                       (1 - t) * a.point.place + t * b.point.place, a.point.on_surface, NULL_VECTOR});
     }
@@ -290,7 +324,6 @@ private:
   const Surface_tree& tree_;
   const Surface_ways ways_;
   Skeleton_lines& lines_;
-  const double sampling_ratio_;
   const Stage_progress progress_;
   const Loop_linking loops_;
   Surface_curves curves_; // around which loops are to wind

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <deque>
 #include <map>
@@ -281,6 +282,101 @@ private:
   }
 
   std::vector<int> windings_;
+};
+
+// Which chains can keep lines of their own in place of ways that are led: as many as are found one after the other, so that the
+// loops generate as much as with all ways. Numbers are those modulo a prime number.
+class Kept_lines
+{
+public:
+  struct Candidate
+  {
+    std::vector<std::pair<Index, int>> cycles; // that pass the chain, with 1 or -1 for a direction
+    Row change;                                // what its line adds more than its way
+  };
+
+  // By linking numbers of loops with ways, and the chains in the order in which they are tried.
+  Kept_lines(const std::vector<Row>& loops, const std::vector<Candidate>& candidates)
+    : is_kept_(candidates.size(), false)
+  {
+    const std::vector<Numbers> sums = as_sums_of_loops(loops, candidates);
+    if(sums.empty())
+      return;
+    // A line that is kept multiplies the index by 1 + shares[i][i].
+    std::vector<Numbers> shares(candidates.size(), Numbers(candidates.size(), 0));
+    for(std::size_t i = 0; i != shares.size(); ++i)
+      for(std::size_t j = 0; j != shares.size(); ++j)
+        for(const auto& [cycle, direction] : candidates[j].cycles)
+          shares[i][j] = (shares[i][j] + (direction > 0 ? 1 : prime - 1) * sums[cycle][loops.size() + i]) % prime;
+    for(bool is_any_new = true; is_any_new;)
+    {
+      is_any_new = false;
+      for(std::size_t i = 0; i != shares.size(); ++i)
+        if(const Number factor = (1 + shares[i][i]) % prime; !is_kept_[i] && (factor == 1 || factor == prime - 1))
+        {
+          const Numbers row = shares[i];
+          for(Numbers& other : shares)
+            add(other, (prime - other[i]) * factor % prime, row);
+          is_kept_[i] = is_any_new = true;
+        }
+    }
+  }
+
+  bool is_kept(std::size_t candidate) const { return is_kept_[candidate]; }
+
+private:
+  typedef std::uint64_t Number;
+  typedef std::vector<Number> Numbers;
+  static constexpr Number prime = 2147483647;
+
+  static void add(Numbers& row, Number factor, const Numbers& other)
+  {
+    for(std::size_t k = 0; factor != 0 && k != row.size(); ++k)
+      row[k] = (row[k] + factor * other[k]) % prime;
+  }
+
+  static Number inverse(Number number)
+  {
+    Number result = 1;
+    for(Number exponent = prime - 2; exponent != 0; exponent /= 2, number = number * number % prime)
+      result = exponent % 2 == 1 ? result * number % prime : result;
+    return result;
+  }
+
+  // A row for each loop: after a part of the unit matrix, how often each change has the loop. None if loops are dependent.
+  static std::vector<Numbers> as_sums_of_loops(const std::vector<Row>& loops, const std::vector<Candidate>& candidates)
+  {
+    std::map<std::size_t, Numbers> by_curve;
+    for(std::size_t i = 0; i != loops.size() + candidates.size(); ++i)
+      for(const auto& [curve, number] : i < loops.size() ? loops[i] : candidates[i - loops.size()].change)
+      {
+        Numbers& row = by_curve[curve];
+        row.resize(loops.size() + candidates.size());
+        row[i] = static_cast<Number>((number % prime + prime) % prime);
+      }
+    std::vector<Numbers> rows;
+    for(auto& [curve, row] : by_curve)
+      rows.push_back(std::move(row));
+    for(std::size_t i = 0; i != loops.size(); ++i)
+    {
+      std::size_t pivot = i;
+      while(pivot < rows.size() && rows[pivot][i] == 0)
+        ++pivot;
+      if(pivot >= rows.size())
+        return {};
+      rows[i].swap(rows[pivot]);
+      const Number factor = inverse(rows[i][i]);
+      for(Number& number : rows[i])
+        number = number * factor % prime;
+      for(Numbers& row : rows)
+        if(&row != &rows[i])
+          add(row, (prime - row[i]) % prime, rows[i]);
+    }
+    rows.resize(loops.size());
+    return rows;
+  }
+
+  std::vector<bool> is_kept_;
 };
 
 // Closed curves on a surface, as sums of polygons.

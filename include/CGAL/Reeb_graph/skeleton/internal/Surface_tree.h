@@ -132,6 +132,13 @@ public:
     return has_area() ? distance(p, tree_.closest_point(p, hint)) : 0;
   }
 
+  // Whether the surface meets a cube around a point, whose sides are so far away.
+  bool is_near(const Point& p, double distance) const
+  {
+    const Vector corner(distance, distance, distance);
+    return tree_.do_intersect(Kernel::Iso_cuboid_3(p - corner, p + corner));
+  }
+
   // The distance from the surface without openings.
   double distance_from_wall(const Point& p, const Point& hint) const
   {

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -58,20 +59,23 @@ public:
   {
     if(!tree_.has_area())
       return {};
-    std::vector<Sunk_place> way = {{from}}, end = {{to}};
-    const Mesh::Face_index begin = add_foot(from, way);
-    add_path(path_of_faces(begin, add_foot(to, end)), way);
-    way.insert(way.end(), end.rbegin(), end.rend());
-    return raise_until_free(way, false) ? shortened(way) : std::vector<Point>();
+    std::vector<Sunk_place> begin = {{from}}, end = {{to}};
+    const Mesh::Face_index first = add_foot(from, begin);
+    const Face_path path = path_of_faces(first, add_foot(to, end));
+    for(const std::size_t most_turned : {std::size_t(6), path.steps.size()})
+    {
+      std::vector<Sunk_place> way = begin;
+      add_path(path, most_turned, way);
+      way.insert(way.end(), end.rbegin(), end.rend());
+      if(raise_until_free(way, false))
+        return shortened(way);
+    }
+    return {};
   }
 
-  // A way from a place to another one along a path of faces, to which it can be brought without meeting the surface. Points nearer
-  // to each other than a share of the depth are left out if the surface does not meet the triangles that the way then sweeps. It
-  // is empty if there is none.
-  std::vector<Point> way_along(const Surface_place& from,
-                               const Surface_place& to,
-                               const Face_path& path,
-                               double ratio) const
+  // A way from a place to another one along a path of faces, to which it can be brought without meeting the surface, and shorter as
+  // long as the surface does not meet the triangles that it then sweeps. It is empty if there is none.
+  std::vector<Point> way_along(const Surface_place& from, const Surface_place& to, const Face_path& path) const
   {
     if(!tree_.has_area())
       return {};
@@ -81,18 +85,15 @@ public:
     Face_path whole = there;
     for(const Face_path* part : {&path, &back})
       whole.steps.insert(whole.steps.end(), part->steps.begin(), part->steps.end());
-    add_path(whole, way);
+    add_path(whole, whole.steps.size(), way);
     way.insert(way.end(), end.rbegin(), end.rend());
     if(!raise_until_free(way, true))
       return {};
-    std::vector<Point> result = {way.front().place.point};
-    for(std::size_t i = 1; i + 1 < way.size(); ++i)
-    {
-      const Point &next = way[i + 1].place.point, &p = way[i].place.point;
-      if(distance(result.back(), next) > ratio * way[i].depth || tree_.is_met_by_triangle(result.back(), p, next))
-        result.push_back(p);
-    }
-    result.push_back(way.back().place.point);
+    std::vector<Point> result;
+    for(const Sunk_place& place : way)
+      result.push_back(place.place.point);
+    while(is_pulled(result))
+      ;
     return result;
   }
 
@@ -107,6 +108,21 @@ private:
     std::array<Mesh::Face_index, 2> faces = {}; // none if the place is to stay
   };
 
+  // Leaves points of a way out, no two beside each other, so that triangles stay small. Returns whether many were left out.
+  bool is_pulled(std::vector<Point>& way) const
+  {
+    const std::vector<Point> old = std::exchange(way, {way.front()});
+    bool is_last_left_out = false;
+    for(std::size_t i = 1; i + 1 < old.size(); ++i)
+    {
+      is_last_left_out = !is_last_left_out && !tree_.is_met_by_triangle(old[i - 1], old[i], old[i + 1]);
+      if(!is_last_left_out)
+        way.push_back(old[i]);
+    }
+    way.push_back(old.back());
+    return 20 * way.size() < 19 * old.size();
+  }
+
   // Whether the surface meets what is between two places of a way and the faces that they are beneath: those are in the same
   // face, and what is beneath two faces at an edge meets none of them.
   bool is_met_between(const Sunk_place& a, const Sunk_place& b) const
@@ -118,10 +134,13 @@ private:
   }
 
   // Places beneath the centers of faces and the edges between them, no deeper than in the middle between the centers and what is
-  // seen from there, and not much deeper than the place before.
-  void add_path(const Face_path& path, std::vector<Sunk_place>& way) const
+  // seen from there, and not much deeper than the place before. No two are at one depth, as else a way that is pulled straight can
+  // touch edges of what is regular, and pass curves there by rounding. Where more steps than `most_turned` turn around a vertex, the
+  // way goes beneath that.
+  void add_path(const Face_path& path, std::size_t most_turned, std::vector<Sunk_place>& way) const
   {
-    double depth = 0;
+    const double golden_ratio = (std::sqrt(5.) - 1) / 2;
+    double depth = 0, share = 0;
     const auto add = [&](const Point& p, const Vector& inwards, Mesh::Face_index f, Mesh::Face_index g) {
       const double size = length(inwards);
       if(!(size > 0))
@@ -135,18 +154,46 @@ private:
         depth = clearance < reach || tree_.is_inside(p + reach / 2 * down) ? clearance / 2 : 1e-6 * tree_.size();
       }
       // Rays miss edges by rounding.
-      while(depth > 1e-9 * tree_.size() && tree_.distance_from(p + depth * down, p) < 1e-6 * depth)
+      while(depth > 1e-9 * tree_.size() && tree_.is_near(p + depth * down, 1e-6 * depth))
         depth /= 2;
-      way.push_back({{p + depth * down}, down, depth, p, {f, g}});
+      share = std::fmod(share + golden_ratio, 1.);
+      const double own_depth = (0.9 + 0.1 * share) * depth;
+      way.push_back({{p + own_depth * down}, down, own_depth, p, {f, g}});
     };
     add(tree_.center(path.begin), tree_.inward_normal(path.begin), path.begin, path.begin);
-    for(const auto h : path.steps)
+    for(std::size_t i = 0; i != path.steps.size(); ++i)
     {
+      if(const auto [v, number] = turn_from(path, i); number > most_turned)
+      {
+        const Vector down = tree_.inward_direction(v);
+        depth = (std::max)(tree_.depth_beneath(v, down) / 2, 1e-6 * tree_.size());
+        way.push_back({{mesh_.point(v) + depth * down}, down, depth, mesh_.point(v), {}});
+        i += number - 1;
+        const Mesh::Face_index g = mesh_.face(mesh_.opposite(path.steps[i]));
+        add(tree_.center(g), tree_.inward_normal(g), g, g);
+        continue;
+      }
+      const auto h = path.steps[i];
       const Mesh::Face_index f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
       add(CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))),
           tree_.inward_normal(f) + tree_.inward_normal(g), f, g);
       add(tree_.center(g), tree_.inward_normal(g), g, g);
     }
+  }
+
+  // The vertex around which most steps turn from one on, and how many do.
+  std::pair<Mesh::Vertex_index, std::size_t> turn_from(const Face_path& path, std::size_t first) const
+  {
+    std::pair<Mesh::Vertex_index, std::size_t> best;
+    for(const auto v : {mesh_.source(path.steps[first]), mesh_.target(path.steps[first])})
+    {
+      std::size_t end = first + 1;
+      while(end != path.steps.size() && (mesh_.source(path.steps[end]) == v || mesh_.target(path.steps[end]) == v))
+        ++end;
+      if(end - first > best.second)
+        best = {v, end - first};
+    }
+    return best;
   }
 
   // A face at a place, and, if that is inside, on a way to it a point on a ray to the face.
