@@ -7,6 +7,7 @@
 // Author(s)     : The Reeb_graph authors
 
 #include "Table.h"
+#include "handle_samples.h"
 #include "random_meshes.h"
 #include "surfaces.h"
 
@@ -65,6 +66,16 @@ Input noisy_terrain(std::size_t number_of_vertices)
   input.soup = generated_surfaces::internal::grid(side, side, false, false, [&](std::size_t i, std::size_t k) {
     return Position{static_cast<double>(i), static_cast<double>(k), static_cast<double>(random.below(10001)) / 1000};
   });
+  input.values = tilted_height(input.soup);
+  return input;
+}
+
+// A block less random balls, of a genus that grows with it: centers of contours make no basis of its loops.
+Input sponge(std::size_t number_of_vertices)
+{
+  const std::size_t number_of_balls = number_of_vertices / 350;
+  const double side = std::cbrt(static_cast<double>(number_of_balls) / 0.007);
+  Input input = {"sponge", handle_samples::sponge(number_of_balls, side, 1), {}};
   input.values = tilted_height(input.soup);
   return input;
 }
@@ -155,12 +166,15 @@ void measure_skeletons(Table& table)
   table.measure("terrain of noise", at_three_sizes<Subject>(500, noisy_terrain), of_distances);
   of_distances.largest_exponent = 1.5; // Contours of all branches would take 2.7.
   table.measure("torus, 15 % noise", at_three_sizes<Subject>(9000, noisy_torus), of_distances);
+  table.measure("sponge", at_three_sizes<Subject>(7000, sponge), functions()[0]);
+  of_distances.largest_exponent = 2.2; // Points of lines at the hub are about as near to one of its faces as to all.
+  table.measure("hub", at_three_sizes<Subject>(94, hub), of_distances);
   const std::size_t n = 3000, number_of_inputs = all_inputs(100).size();
   for(std::size_t i = 0; i < number_of_inputs; ++i)
   {
     const std::string name = all_inputs(100)[i].name;
-    if(name.find("noise") != std::string::npos)
-      continue; // Its contours are as long as the surface is large.
+    if(name.find("noise") != std::string::npos || name == "hub")
+      continue; // Contours of noise are as long as the surface is large.
     const auto subjects = at_three_sizes<Subject>(n, [i](std::size_t size) { return all_inputs(size)[i]; });
     for(const Function<Subject>& function : functions())
       table.measure(name, subjects, function);

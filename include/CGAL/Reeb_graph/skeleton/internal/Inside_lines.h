@@ -143,7 +143,7 @@ private:
     if(loop_group_.is_whole())
       return;
     Ways ways = lines;
-    lead(tracing, loops_.chains_on_cycles(), std::vector<int>(ways.size(), 0), ways);
+    lead(tracing, loops_.chains_on_cycles(), std::vector<int>(ways.size(), 0), progress_.part(0.55, 0.75), ways);
     Rows of_ways = count(ways);
     if(!is_self_intersecting && !loops_.group(of_ways).is_whole())
       wind_ways(tracing, ways, of_ways);
@@ -178,34 +178,33 @@ private:
   // thick pipe that fronts pass around before they pass along: then it goes around one of them.
   void wind_ways(const Loop_tracing& tracing, Ways& ways, Rows& rows) const
   {
-    std::vector<int> windings(ways.size(), 0);
-    for(const Index chain : loops_.closing_chains())
-      windings[chain] = 1;
-    Ways wound(ways.size());
-    lead(tracing, loops_.closing_chains(), windings, wound);
-    const Rows of_wound = count(wound);
-    Rows added(loops_.cycles().size());
-    for(std::size_t cycle = 0; cycle != added.size(); ++cycle)
-      if(const Index chain = loops_.closing_chains()[cycle]; !wound[chain].empty())
-      {
-        added[cycle] = of_wound[chain];
-        add_multiple(added[cycle], rows[chain], -1);
-      }
-    const Winding_choice choice(loops_.linking_numbers(rows), added);
-    for(std::size_t cycle = 0; cycle != added.size(); ++cycle)
+    const std::vector<Index>& closing = loops_.closing_chains();
+    Ways around(ways.size());
+    for(std::size_t cycle = 0; cycle != closing.size(); ++cycle)
     {
-      const Index chain = loops_.closing_chains()[cycle];
-      windings[chain] = choice.windings()[cycle];
-      if(windings[chain] != 0 && windings[chain] != 1)
-      {
-        wound[chain].clear();
-        lead(tracing, {chain}, windings, wound);
-      }
-      if(windings[chain] == 0 || wound[chain].empty())
-        continue;
-      ways[chain] = std::move(wound[chain]);
-      add_multiple(rows[chain], added[cycle], windings[chain]);
+      progress_.part(0.75, 0.9).report_step(cycle, closing.size());
+      around[closing[cycle]] = ways_.way_around(tracing.path_around(closing[cycle]));
     }
+    const Rows of_around = count(around);
+    Rows added;
+    for(const Index chain : closing)
+      added.push_back(of_around[chain]);
+    const Winding_choice choice(loops_.linking_numbers(rows), added, progress_);
+    std::vector<int> windings(ways.size(), 0);
+    for(std::size_t cycle = 0; cycle != closing.size(); ++cycle)
+      windings[closing[cycle]] = choice.windings()[cycle];
+    std::vector<Index> winding;
+    for(const Index chain : closing)
+      if(windings[chain] != 0)
+        winding.push_back(chain);
+    Ways wound(ways.size());
+    lead(tracing, winding, windings, progress_.part(0.9, 1), wound);
+    for(const Index chain : winding)
+      if(!wound[chain].empty())
+      {
+        ways[chain] = std::move(wound[chain]);
+        add_multiple(rows[chain], of_around[chain], windings[chain]);
+      }
   }
 
   // Gives as many chains as can be their lines back, as ways along the surface are long: those first whose ways are longest.
@@ -222,7 +221,7 @@ private:
       candidates.push_back({loops_.cycles_of(chain), of_lines[chain]});
       add_multiple(candidates.back().change, of_ways[chain], -1);
     }
-    const Kept_lines kept(loops_.linking_numbers(of_ways), candidates);
+    const Kept_lines kept(loops_.linking_numbers(of_ways), candidates, progress_);
     Rows rows = of_ways;
     for(std::size_t i = 0; i != order.size(); ++i)
       if(kept.is_kept(i))
@@ -243,12 +242,13 @@ private:
   void lead(const Loop_tracing& tracing,
             const std::vector<Index>& chains,
             const std::vector<int>& windings,
+            const Stage_progress& progress,
             Ways& ways) const
   {
     for(std::size_t i = 0; i != chains.size(); ++i)
     {
       const Index chain = chains[i];
-      progress_.part(0.6, 0.8).report_step(i, chains.size());
+      progress.report_step(i, chains.size());
       auto way = ways_.way_along(place_of_end(chain, false).surface_place(), place_of_end(chain, true).surface_place(),
                                  tracing.path(chain, windings[chain]));
       if(!way.empty())

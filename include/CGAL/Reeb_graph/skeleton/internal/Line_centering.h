@@ -49,7 +49,7 @@ private:
     bool is_any_moving = true;
     for(int turn = 0; turn != most_turns && is_any_moving; ++turn)
     {
-      const Stage_progress part = progress.part(1. * turn / most_turns, (turn + 1.) / most_turns);
+      const Stage_progress part = progress.part(0.9 * turn / most_turns, 0.9 * (turn + 1) / most_turns);
       rearrange(part.part(0, 0.2));
       for(int round = 0; round != rounds_between; ++round)
         move_all(part.part(0.2, 1));
@@ -62,8 +62,10 @@ private:
       }
     }
     join_junctions();
-    for(Line& line : lines_)
+    for(std::size_t i = 0; i != lines_.size(); ++i)
     {
+      progress.part(0.9, 1).report_step(i, lines_.size());
+      Line& line = lines_[i];
       if(line.is_fixed)
         continue;
       for(const bool is_last : {false, true})

@@ -87,13 +87,18 @@ public:
       whole.steps.insert(whole.steps.end(), part->steps.begin(), part->steps.end());
     add_path(whole, whole.steps.size(), way);
     way.insert(way.end(), end.rbegin(), end.rend());
-    if(!raise_until_free(way, true))
+    return raise_until_free(way, true) ? pulled(way) : std::vector<Point>();
+  }
+
+  // A closed way along a path of faces that ends where it begins, in the same way.
+  std::vector<Point> way_around(const Face_path& path) const
+  {
+    std::vector<Sunk_place> way;
+    add_path(path, path.steps.size(), way);
+    if(way.empty() || !raise_until_free(way, true))
       return {};
-    std::vector<Point> result;
-    for(const Sunk_place& place : way)
-      result.push_back(place.place.point);
-    while(is_pulled(result))
-      ;
+    std::vector<Point> result = pulled(way);
+    result.push_back(result.front());
     return result;
   }
 
@@ -107,6 +112,16 @@ private:
     Point foot = ORIGIN;
     std::array<Mesh::Face_index, 2> faces = {}; // none if the place is to stay
   };
+
+  std::vector<Point> pulled(const std::vector<Sunk_place>& way) const
+  {
+    std::vector<Point> result;
+    for(const Sunk_place& place : way)
+      result.push_back(place.place.point);
+    while(is_pulled(result))
+      ;
+    return result;
+  }
 
   // Leaves points of a way out, no two beside each other, so that triangles stay small. Returns whether many were left out.
   bool is_pulled(std::vector<Point>& way) const
