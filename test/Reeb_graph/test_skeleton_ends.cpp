@@ -12,12 +12,14 @@
 #include "limbed_bodies.h"
 #include "mesh_builders.h"
 
+#include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 // Ends of skeletons are those that a person counts.
@@ -30,10 +32,18 @@ using mesh_builders::Surface_mesh;
 typedef std::array<double, 3> Point;
 
 namespace {
-std::vector<Point> found_ends(const Surface_mesh& mesh)
+// Of the skeleton by distances from a vertex, or by default.
+std::vector<Point> found_ends(Surface_mesh& mesh, std::optional<Surface_mesh::Vertex_index> start)
 {
   CGAL::Reeb_graph::Curve_skeleton<Surface_mesh> skeleton;
-  CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton);
+  if(start)
+  {
+    const auto field = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:distance", 0).first;
+    CGAL::Reeb_graph::compute_geodesic_field(mesh, field, std::array<Surface_mesh::Vertex_index, 1>{*start});
+    CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton, CGAL::parameters::scalar_map(field));
+  }
+  else
+    CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton);
   std::vector<Point> result;
   for(const auto v : CGAL::make_range(vertices(skeleton)))
     if(out_degree(v, skeleton) == 1)
@@ -59,14 +69,20 @@ std::size_t number_missing(const std::vector<End>& ends, std::vector<Point>& tip
 }
 
 // Of all these bodies: 1 percent of ends may be missing.
-void check_bodies(const std::function<Body(std::size_t)>& make, std::size_t number, std::size_t most_false)
+void check_bodies(const std::function<Body(std::size_t)>& make,
+                  std::size_t number,
+                  std::size_t most_false,
+                  bool is_start_random = false)
 {
   std::size_t ends = 0, missing = 0, number_false = 0;
   for(std::size_t seed = 0; seed != number; ++seed)
   {
     const Body body = make(seed);
-    const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(surface(body, 0.01, seed));
-    std::vector<Point> tips = found_ends(mesh);
+    auto mesh = generated_surfaces::make_mesh<Surface_mesh>(surface(body, 0.01, seed));
+    std::optional<Surface_mesh::Vertex_index> start;
+    if(is_start_random)
+      start = Surface_mesh::Vertex_index(static_cast<unsigned>(7919 * (seed + 1) % mesh.num_vertices()));
+    std::vector<Point> tips = found_ends(mesh, start);
     ends += body.ends.size();
     missing += number_missing(body.ends, tips);
     number_missing(body.disputed, tips);
@@ -80,5 +96,7 @@ void check_bodies(const std::function<Body(std::size_t)>& make, std::size_t numb
 BOOST_AUTO_TEST_CASE(quadrupeds_have_their_ends) { check_bodies(limbed_bodies::quadruped, 20, 0); }
 
 BOOST_AUTO_TEST_CASE(short_legs_have_their_ends) { check_bodies(limbed_bodies::short_legged, 40, 1); }
+
+BOOST_AUTO_TEST_CASE(ends_are_there_from_any_start) { check_bodies(limbed_bodies::short_legged, 40, 2, true); }
 
 BOOST_AUTO_TEST_SUITE_END()

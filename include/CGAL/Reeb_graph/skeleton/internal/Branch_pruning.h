@@ -173,7 +173,9 @@ private:
     const double own = std::clamp(length / (2 * pi), radius / 4, radius);
     if(protrusion < ratio_ / 2 * radius || is_across_tube(branch, tip, length))
       return true;
-    return (protrusion < ratio_ * radius || branch.persistence <= ratio_ * own || is_bump(tip, branch.persistence))
+    // Values that are no distances from a tip have extrema anywhere.
+    return (!are_values_distances_ || protrusion < ratio_ * radius || branch.persistence <= ratio_ * own
+            || is_bump(tip, branch.persistence))
         && !is_limb(tip, ratio_ * own, 2 * protrusion);
   }
 
