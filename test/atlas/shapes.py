@@ -173,7 +173,7 @@ def touching_cubes(fine, place):
     step = {"vertex": (2, 2, 2), "edge": (2, 0, 2), "face": (0, 0, 2)}[place]
     one, is_face = blocks(np.ones((2, 2, 2)), fine), place == "face"
     truths = dict(components=2 if place == "vertex" else 1, area=40.0 if is_face else 48.0, volume=16.0)
-    truths |= dict(crossing_edges=None) if place == "edge" else {}  # a line through it leaves the inside
+    truths |= dict(crossing_edges=None, long_steps=None) if place == "edge" else {}  # a line through it leaves the inside
     return welded(*united(one, moved(one, step))), dict(truths, repair=("--all",))
 
 def flat_disk(radius, fine, bend=0.0):

@@ -153,6 +153,13 @@ private:
       at(i).point.radius = at(first).point.radius;
   }
 
+  void measure_mouths(Index chain, Beads& beads) const
+  {
+    for(const bool is_last : {false, true})
+      if(end(chain, is_last).kind == Line_end::JUNCTION)
+        measure_mouth(beads, is_last);
+  }
+
   // A bead between two, with its radius.
   Bead between(const Bead& a, const Bead& b, double t) const
   {
@@ -172,11 +179,13 @@ private:
       (is_last ? beads.back() : beads.front()).point.radius = end(chain, is_last).point.radius;
     for(std::size_t i = 1; i + 1 < beads.size(); ++i)
       measure(beads[i + 1].point.point - beads[i - 1].point.point, beads[i]);
-    if(!(spacing_ > 0))
+    measure_mouths(chain, beads);
+    // Added points have contours of their own, which are narrowed in a mouth, too, and so ask for more points.
+    for(int turn = 0; turn != 2 && !(spacing_ > 0); ++turn)
+    {
       beads = with_points_between(beads);
-    for(const bool is_last : {false, true})
-      if(end(chain, is_last).kind == Line_end::JUNCTION)
-        measure_mouth(beads, is_last);
+      measure_mouths(chain, beads);
+    }
     Skeleton_lines::Line& line = lines_.lines()[chain];
     line.clear();
     for(std::size_t i = 1; i + 1 < beads.size(); ++i)
