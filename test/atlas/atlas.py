@@ -10,6 +10,7 @@ import argparse
 import fnmatch
 import hashlib
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -169,7 +170,7 @@ def main():
     options = parser.parse_args()
     options.columns, options.are_all = fnmatch.filter(COLUMNS, options.column), options.all or options.column != "*"
     git = ["git", "-C", str(Path(__file__).parent), "rev-parse", "HEAD"]
-    options.commit = subprocess.run(git, capture_output=True, text=True).stdout.strip()
+    options.commit = subprocess.run(git, capture_output=True, text=True).stdout.strip() if shutil.which("git") else ""
     atlas = Atlas(options)
     for shape in fnmatch.filter(SHAPES, options.shape):
         atlas.run_shape(shape)
