@@ -13,7 +13,6 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Edge_walk.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
@@ -33,7 +32,7 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 // Takes branches off a graph, the least persistent ones first: paths from a leaf to the node where they leave the trunk,
 // or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of its radius there, or
 // of a quarter of that of the trunk, if it protrudes from the trunk by less than a share of its radius, or if it leads
-// across a tube. A limb as long as wide stays where it protrudes by half of that share, and so does one to a border.
+// across a tube. One to a border stays.
 class Branch_pruning
 {
 public:
@@ -171,33 +170,39 @@ private:
     // The trunk's contour at a hand or foot is that of all fingers or toes: each is compared with its own one.
     const double length = graph_.sample_beside(branch.arcs.back(), branch.end).shape.length;
     const double own = std::clamp(length / (2 * pi), radius / 4, radius);
-    if(protrusion < ratio_ / 2 * radius || is_across_tube(branch, tip, length))
-      return true;
-    // Values that are no distances from a tip have extrema anywhere.
-    return (!are_values_distances_ || protrusion < ratio_ * radius || branch.persistence <= ratio_ * own
-            || is_bump(tip, branch.persistence))
-        && !is_limb(tip, ratio_ * own, 2 * protrusion);
+    return branch.persistence <= ratio_ * own || protrusion < ratio_ * radius || is_bump(tip, branch.persistence)
+        || is_across_tube(branch, tip, length);
   }
 
   // Whether a branch is short beside a ball inside of the surface near where it leaves the trunk, or its tip hardly protrudes from
-  // that, and it is no limb. Most branches of noise go so, by balls that have been met: contours need not be measured, which can
-  // be as long as the surface is large. One that is not of noise has a ball of its own, as another one near can be in its limb.
+  // that. Most branches of noise go so: contours need not be measured, which can be as long as the surface is large. A ball that
+  // is not quite where a long branch leaves can be the last one of a tube, which its end does not protrude from.
   bool is_beside_large_ball(const Branch& branch, Index tip)
   {
-    const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
-    const auto is_near = [&](const Inner_ball& ball) { return distance(bottom, ball.center) < 1.5 * ball.radius; };
-    const auto is_short = [&](const Inner_ball& ball) { return branch.persistence < ratio_ / 2 * ball.radius; };
-    const auto protrusion = [&](const Inner_ball& ball) { return distance(top, ball.center) - ball.radius; };
+    const auto is_within = [&](double share, const Inner_ball& ball) {
+      return distance(graph_.point(branch.end), ball.center) < share * ball.radius;
+    };
+    const auto is_small = [&](const Inner_ball& ball, bool is_there) {
+      return branch.persistence < ratio_ / 2 * ball.radius
+          || ((is_there || branch.persistence < 2 * ratio_ * ball.radius)
+              && distance(graph_.point(tip), ball.center) < (1 + ratio_) * ball.radius);
+    };
+    bool is_known = false;
     for(const Inner_ball& ball : balls_)
-      if(is_near(ball) && is_short(ball) && protrusion(ball) < ratio_ * ball.radius)
-        return true;
-    const Inner_ball ball = tree_.ball_beneath(graph_.vertex(branch.end), top);
-    if(!is_near(ball))
+      if(is_within(1.5, ball))
+      {
+        const bool is_there = is_within(1.1, ball);
+        is_known = is_known || is_there;
+        if(is_small(ball, is_there))
+          return true;
+      }
+    if(is_known)
+      return false;
+    const Inner_ball ball = tree_.ball_beneath(graph_.vertex(branch.end));
+    if(!is_within(1.5, ball))
       return false;
     balls_.push_back(ball);
-    return (is_short(ball) || protrusion(ball) < ratio_ * ball.radius)
-        && (protrusion(ball) < ratio_ / 2 * ball.radius
-            || !is_limb(tip, ratio_ / 2 * ball.radius, 2 * protrusion(ball)));
+    return is_small(ball, true);
   }
 
   // Whether a ball touches both ends of a branch, and the contour where it leaves the trunk goes around the ball on both
@@ -260,23 +265,6 @@ private:
       const Point center = graph_.point(tip) + step * inwards;
       const double inscribed = tree_.distance_from(center, graph_.point(tip));
       if(step - inscribed < ratio_ / 2 * inscribed && persistence < 2 * ratio_ * inscribed)
-        return true;
-    }
-    return false;
-  }
-
-  // Whether what is nearer to a tip than some distance, along edges, is about as long as it is wide. The persistence of a limb that
-  // the front passes across, or reaches from two sides, tells nothing of its length.
-  bool is_limb(Index tip, double least, double most) const
-  {
-    Edge_walk walk(tree_.mesh(), graph_.vertex(tip));
-    for(double d = (std::max)(least, most / 16); d > 0 && d <= most; d *= 1.1)
-    {
-      while(walk.next_distance() <= d)
-        walk.step();
-      if(!std::isfinite(walk.next_distance()))
-        return false;
-      if(walk.width_by_distance() < 1.2)
         return true;
     }
     return false;

@@ -196,8 +196,8 @@ public:
     return middle ? 2 * distance(p, *middle) : 0;
   }
 
-  // A large ball near a vertex: one that touches the surface there, and is grown away from where it touches, or from a tip.
-  Inner_ball ball_beneath(Mesh::Vertex_index v, const Point& tip) const
+  // A large ball near a vertex: one that touches the surface there, and is grown away from where it touches.
+  Inner_ball ball_beneath(Mesh::Vertex_index v) const
   {
     const Point& p = mesh_.point(v);
     const Vector inwards = inward_direction(v);
@@ -215,20 +215,16 @@ public:
       std::tie(touched, face) = closest_place(ball.center);
     }
     ball.radius = distance(ball.center, touched);
-    const auto grow = [&](double growth, const Vector& way) {
-      const Point center = ball.center + growth * way;
-      const Point next = tree_.closest_point(center, touched);
-      if(!(distance(center, next) > (1 + growth / 4) * ball.radius)
-         || !(distance(center, p) < 1.5 * distance(center, next)) || !is_inside(center))
-        return false;
-      ball = {center, distance(center, next)};
-      touched = next;
-      return true;
-    };
-    for(double growth = 4; growth > 0.1;)
+    for(double growth = 1; growth > 0.1;)
     {
-      const Vector from_tip = ball.center - tip;
-      if(!grow(growth, ball.center - touched) && !grow(growth, ball.radius / length(from_tip) * from_tip))
+      const Point center = ball.center + growth * (ball.center - touched);
+      const Point next = tree_.closest_point(center, touched);
+      if(distance(center, next) > (1 + growth / 4) * ball.radius && is_inside(center))
+      {
+        ball = {center, distance(center, next)};
+        touched = next;
+      }
+      else
         growth /= 2;
     }
     return ball;
