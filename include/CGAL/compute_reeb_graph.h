@@ -12,13 +12,11 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/write_graph.h>
 #include <CGAL/Reeb_graph/internal/way_back/vertex_places.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
-#include <CGAL/Reeb_graph/options.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph_traits.h>
 

@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/skeleton/Curve_skeleton.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
 #ifndef CGAL_REEB_GRAPH_ARE_SKELETONS_COMPILED
 #include <CGAL/Reeb_graph/skeleton/internal/make_component_skeleton.h>
 #endif

@@ -12,7 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
 
 #include <boost/config.hpp>
 

@@ -11,66 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
-
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
-
-#include <cstddef>
-#include <cstdint>
-
-namespace CGAL::Reeb_graph::internal {
-
-// The parts that are there for speed alone. The benchmark leaves out one at a time, by the macro, to tell what it
-// gains.
-enum class Tuned_part
-{
-  NONE,
-  PREFETCH,
-  KEPT_NEIGHBORS,
-  BRANCHLESS_ORDER,
-  TRIANGLE_SWEEP,
-  STARS_AHEAD
-};
-
-#ifdef CGAL_REEB_GRAPH_LEFT_OUT
-#undef CGAL_REEB_GRAPH_COMPILED // Compiled stages leave nothing out.
-#else
-#define CGAL_REEB_GRAPH_LEFT_OUT NONE
-#endif
-
-constexpr bool is_left_out(Tuned_part part) { return part == Tuned_part::CGAL_REEB_GRAPH_LEFT_OUT; }
-constexpr bool is_used(Tuned_part part) { return !is_left_out(part); }
-
-// Loops that jump about in memory, but know where to, tell so some rounds ahead.
-inline void prefetch(const void* address)
-{
-#ifdef __GNUC__
-  if(is_used(Tuned_part::PREFETCH))
-    __builtin_prefetch(address);
-#else
-  static_cast<void>(address);
-#endif
-}
-
-// Has g++ keep a function that does nothing but fetch: it takes it to have no effect, and leaves out calls of it.
-inline void keep_fetching()
-{
-#ifdef __GNUC__
-  __asm__ volatile("");
-#endif
-}
-
-// The place where the element of a vector is or would be that `key` names: for any key.
-template <class Vector, class Key>
-void prefetch_element(const Vector& vector, Key key)
-{
-  // Computed as a number, as a pointer must not leave its array.
-  const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(vector.data());
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): nothing is read from there
-  prefetch(reinterpret_cast<const void*>(begin + key.number() * sizeof(typename Vector::value_type)));
-}
-
-} // namespace CGAL::Reeb_graph::internal
 
 // The seam of the library CGAL::Reeb_graph_compiled, in which the stages are compiled once for what nearly all use. Its
 // target defines CGAL_REEB_GRAPH_COMPILED: then headers declare that these are instantiated elsewhere. For all other
@@ -107,6 +48,10 @@ typedef Surface_mesh_complex<Epeck_point> Epeck_complex;
 
 } // namespace Reeb_graph::internal
 } // namespace CGAL
+
+#ifdef CGAL_REEB_GRAPH_LEFT_OUT
+#undef CGAL_REEB_GRAPH_COMPILED // Compiled stages leave out no Tuned_part.
+#endif
 
 // A source of the library defines as empty what it is there to instantiate.
 #ifndef CGAL_REEB_GRAPH_STAGES

@@ -12,8 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/Threads.h>
+#include <CGAL/Reeb_graph/internal/base/Tuned_part.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>
 

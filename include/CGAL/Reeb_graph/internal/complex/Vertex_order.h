@@ -11,8 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Tuned_part.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
-#include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
 
 namespace CGAL::Reeb_graph::internal {
 

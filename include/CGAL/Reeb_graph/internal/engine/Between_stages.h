@@ -11,10 +11,12 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Threads.h>
+#include <CGAL/Reeb_graph/internal/base/Tuned_part.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
+#include <CGAL/Reeb_graph/internal/base/prefetch.h>
+#include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
@@ -28,9 +30,9 @@
 //
 // | stage                                   | from a complex, an order, and                 | to                     |
 // | classify_vertices.h                     | nothing else                                  | Swept_vertices         |
-// | slabs.h, by the paths of walks.h        | Swept_vertices of a slab                      | Merge_tree, up or down |
+// | Merge_tree_sweep.h, by paths of walks.h | Swept_vertices of a slab                      | Merge_tree, up or down |
 // | cut_loops.h, by the contours of walks.h | the one up, and the one down so far           | Contour_cuts           |
-// | find_arcs.h                             | both trees and the cuts, which it combines    | Swept_arcs of the slab |
+// | Tree_combination.h                      | both trees and the cuts                       | Swept_arcs of the slab |
 // | find_arcs.h, by the Slicing of slabs.h  | Swept_arcs of all slabs, or of critical sets  | Swept_arcs             |
 // | write_graph.h                           | Swept_vertices, Swept_arcs, as a Flat_graph   | the graph of the user  |
 //

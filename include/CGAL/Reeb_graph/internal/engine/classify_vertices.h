@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/complex/Stars_ahead.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
-#include <CGAL/Reeb_graph/options.h>
 
 #include <algorithm>
 #include <cstddef>

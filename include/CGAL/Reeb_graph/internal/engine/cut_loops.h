@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/engine/slabs.h>
+#include <CGAL/Reeb_graph/internal/engine/Merge_tree_sweep.h>
 
 #include <algorithm>
 #include <array>

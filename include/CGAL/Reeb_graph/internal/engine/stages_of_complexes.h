@@ -11,9 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
-#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/classify_vertices.h>
 #include <CGAL/Reeb_graph/internal/engine/walks.h>
 

@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 
 #include <algorithm>

@@ -11,10 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
 #include <CGAL/Reeb_graph/internal/engine/walks.h>
 
 #include <CGAL/boost/graph/iterator.h>

@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Bead_ways.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Loop_linking.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>

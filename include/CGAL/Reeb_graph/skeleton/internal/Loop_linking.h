@@ -15,7 +15,7 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/space/Projected_segments.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Loop_group.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_ways.h>
 

@@ -13,8 +13,9 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Skeleton_options.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
 #include <CGAL/Bbox_3.h>

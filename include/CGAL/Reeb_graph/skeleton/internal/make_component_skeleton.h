@@ -18,6 +18,8 @@
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Inside_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Line_centering.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Line_sampling.h>
