@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
 
 #include <algorithm>
