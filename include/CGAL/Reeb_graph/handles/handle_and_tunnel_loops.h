@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
+#include <CGAL/compute_reeb_graph.h>
 
 #include <CGAL/tags.h>
 
@@ -27,6 +28,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -244,8 +246,13 @@ Handle_and_tunnel_loops<FaceListGraph> handle_and_tunnel_loops(const FaceListGra
   progress.report(0);
   const auto traits = internal::choose_traits<Reeb_graph_traits<FaceListGraph, ScalarMap>>(np);
   const auto flat_field = internal::make_flat_field(mesh, scalar_map, parameters::geom_traits(traits));
-  const auto reeb_loops =
-    internal::find_reeb_loops<ConcurrencyTag>(mesh, flat_field, traits, internal::Stage_progress(progress, 0, 0.1));
+  const auto reeb_loops = [&] { // The graph takes memory.
+    typename Reeb_graph_traits<FaceListGraph, std::decay_t<decltype(flat_field)>>::Graph graph;
+    const internal::Stage_progress stage(progress, 0, 0.05);
+    compute_reeb_graph<ConcurrencyTag>(mesh, flat_field, graph,
+                                       parameters::geom_traits(traits).callback(stage.callback()));
+    return internal::find_reeb_loops(mesh, flat_field, graph, traits, internal::Stage_progress(progress, 0.05, 0.1));
+  }();
   const auto closing = std::make_shared<internal::Surface_closing<FaceListGraph>>(
     mesh, flat_field.flat_values(mesh)->mesh, internal::choose_point_map(mesh, np));
   const std::shared_ptr<internal::Loop_finder> found =

@@ -15,10 +15,8 @@
 #include <CGAL/Reeb_graph/handles/internal/Closed_surface.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
-#include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
 #include <CGAL/Reeb_graph/simplification/persistence_pairs.h>
-#include <CGAL/compute_reeb_graph.h>
 
 // Programs that link the library need not read how loops are found.
 #ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
@@ -46,18 +44,15 @@ struct Reeb_loop
 
 // The loops of the Reeb graph of a field, the least persistent one first. The arcs that leave the forest when loops are
 // paired are as many as these loops, and what is left is a spanning forest.
-template <class ConcurrencyTag, class Mesh, class ScalarMap, class Traits>
+template <class Mesh, class ScalarMap, class Graph, class Traits>
 auto find_reeb_loops(const Mesh& mesh,
                      const ScalarMap& scalar_map,
+                     const Graph& graph,
                      const Traits& traits,
                      const Stage_progress& progress)
 {
-  typedef typename Reeb_graph_traits<Mesh, ScalarMap>::Graph Graph;
   typedef typename boost::graph_traits<Graph>::vertex_descriptor node_descriptor;
   typedef Reeb_loop<typename boost::graph_traits<Mesh>::halfedge_descriptor> Loop;
-  Graph graph;
-  compute_reeb_graph<ConcurrencyTag>(mesh, scalar_map, graph,
-                                     parameters::geom_traits(traits).callback(progress.part(0, 0.5).callback()));
   const std::vector<typename boost::graph_traits<Graph>::edge_descriptor> graph_arcs(edges(graph).first,
                                                                                      edges(graph).second);
   const std::vector<Ascending_arc> arcs = read_arcs(graph);
@@ -73,10 +68,10 @@ auto find_reeb_loops(const Mesh& mesh,
   }
   std::vector<Loop> loops;
   const Augmentation<Mesh, ScalarMap, Graph, Traits> augmentation(
-    mesh, scalar_map, graph, parameters::geom_traits(traits).callback(progress.part(0.5, 0.8).callback()));
+    mesh, scalar_map, graph, parameters::geom_traits(traits).callback(progress.part(0, 0.6).callback()));
   for(const auto& [arc, upper] : leaving)
   {
-    progress.part(0.8, 1).report_step(loops.size(), leaving.size());
+    progress.part(0.6, 1).report_step(loops.size(), leaving.size());
     const Persistence_pair<node_descriptor> pair = {arcs[arc].lower, upper, Persistence_pair_kind::LOOP};
     loops.push_back({Reeb_graph::persistence(graph, pair, parameters::geom_traits(traits)),
                      augmentation.contour(graph_arcs[arc], 0.5).edges});
