@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
-#include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
+#include <CGAL/Reeb_graph/internal/engine/loops_of_complexes.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
 #include <CGAL/compute_reeb_graph.h>

@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh.h>
 
 // before those below, which instantiate what classifies vertices of complexes, too
-#include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
+#include <CGAL/Reeb_graph/internal/engine/loops_of_complexes.h>
 
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/Complex_augmentation.h>

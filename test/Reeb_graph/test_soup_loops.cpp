@@ -12,7 +12,7 @@
 #include "random_complexes.h"
 
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
-#include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
+#include <CGAL/Reeb_graph/internal/engine/loops_of_complexes.h>
 #include <CGAL/compute_reeb_graph_of_soup.h>
 
 #include <boost/test/unit_test.hpp>

@@ -16,8 +16,8 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/Threads.h>
+#include <CGAL/Reeb_graph/internal/base/interpolation.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>

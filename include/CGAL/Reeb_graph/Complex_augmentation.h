@@ -14,12 +14,12 @@
 #include <CGAL/Reeb_graph/Augmentation.h>
 #include <CGAL/Reeb_graph/Contour.h>
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Buckets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/Threads.h>
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
-#include <CGAL/Reeb_graph/internal/engine/stages_of_complexes.h>
+#include <CGAL/Reeb_graph/internal/engine/loops_of_complexes.h>
 #include <CGAL/Reeb_graph/internal/way_back/Graph_on_mesh.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_soup_traits.h>
@@ -354,6 +354,16 @@ private:
 
   std::vector<Tetrahedron> tetrahedra_;
 };
+
+// The points of a range for vertices that are numbers. It throws Attribute_count_error unless there is one for each.
+template <class PointRange>
+auto checked_point_map(const PointRange& points, std::size_t number_of_vertices)
+{
+  const auto number_of_points = static_cast<std::size_t>(std::end(points) - std::begin(points));
+  if(number_of_points != number_of_vertices)
+    throw Attribute_count_error("points", number_of_points, number_of_vertices);
+  return boost::make_iterator_property_map(std::begin(points), boost::typed_identity_property_map<std::size_t>());
+}
 
 // A graph and the complex that its nodes and chains are on, whose vertices are numbers for the user, too. `Cells` are the
 // triangles or tetrahedra as the user lists them, and know what is inside of them of a contour.

@@ -23,11 +23,36 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::Reeb_graph {
+namespace internal {
+
+// Counts that most edits of a mesh change: its numbers of vertices, edges and faces, and the first number behind those of a
+// Surface_mesh, whose removed elements keep theirs.
+typedef std::array<std::size_t, 5> Element_counts;
+
+template <class FaceListGraph>
+Element_counts count_elements(const FaceListGraph& mesh)
+{
+  std::size_t number_of_edges = 0;
+  if constexpr(Has<Edge_list, FaceListGraph>::value)
+    number_of_edges = num_edges(mesh);
+  return {num_vertices(mesh), number_of_edges, num_faces(mesh), 0, 0};
+}
+
+template <class Point>
+Element_counts count_elements(const Surface_mesh<Point>& mesh)
+{
+  return {mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces(), mesh.num_vertices(),
+          mesh.num_edges()};
+}
+
+} // namespace internal
 
 /// \ingroup PkgReebGraphRef
 ///

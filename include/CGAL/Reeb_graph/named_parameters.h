@@ -20,13 +20,9 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cstddef>
 #include <functional>
-#include <iterator>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Reeb_graph::internal {
 
@@ -82,16 +78,6 @@ auto choose_point_map(const FaceGraph& mesh, const NamedParameters& np)
 template <class FaceGraph, class NamedParameters>
 using Point_of_mesh = typename boost::property_traits<std::decay_t<
   decltype(choose_point_map(std::declval<const FaceGraph&>(), std::declval<const NamedParameters&>()))>>::value_type;
-
-// The points of a range for vertices that are numbers. It throws Attribute_count_error unless there is one for each.
-template <class PointRange>
-auto checked_point_map(const PointRange& points, std::size_t number_of_vertices)
-{
-  const auto number_of_points = static_cast<std::size_t>(std::end(points) - std::begin(points));
-  if(number_of_points != number_of_vertices)
-    throw Attribute_count_error("points", number_of_points, number_of_vertices);
-  return boost::make_iterator_property_map(std::begin(points), boost::typed_identity_property_map<std::size_t>());
-}
 
 } // namespace CGAL::Reeb_graph::internal
 

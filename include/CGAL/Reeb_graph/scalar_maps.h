@@ -100,10 +100,8 @@ template <class FaceListGraph>
 auto make_vertex_index_map(const FaceListGraph& mesh)
 {
   typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
-  internal::Descriptor_numbers<vertex_descriptor, std::size_t> map(num_vertices(mesh));
-  for(const auto v : CGAL::make_range(vertices(mesh)))
-    map.add(v);
-  return map;
+  return internal::Descriptor_numbers<vertex_descriptor, std::size_t>(CGAL::make_range(vertices(mesh)),
+                                                                      num_vertices(mesh));
 }
 
 /// \brief returns a property map from the halfedges of a mesh to their positions in `halfedges(mesh)`, from 0; else as
@@ -116,10 +114,8 @@ template <class FaceListGraph>
 auto make_halfedge_index_map(const FaceListGraph& mesh)
 {
   typedef typename boost::graph_traits<FaceListGraph>::halfedge_descriptor halfedge_descriptor;
-  internal::Descriptor_numbers<halfedge_descriptor, std::size_t> map(num_halfedges(mesh));
-  for(const auto h : CGAL::make_range(halfedges(mesh)))
-    map.add(h);
-  return map;
+  return internal::Descriptor_numbers<halfedge_descriptor, std::size_t>(CGAL::make_range(halfedges(mesh)),
+                                                                        num_halfedges(mesh));
 }
 
 /// @}

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/base/interpolation.h>
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/Reeb_graph/internal/way_back/arc_polylines.h>
 #include <CGAL/Reeb_graph/named_parameters.h>

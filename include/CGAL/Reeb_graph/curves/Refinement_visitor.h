@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/interpolation.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
 
 #include <CGAL/IO/Color.h>
 

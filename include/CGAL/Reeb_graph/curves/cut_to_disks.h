@@ -28,7 +28,6 @@
 #include <cstddef>
 #include <functional>
 #include <queue>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

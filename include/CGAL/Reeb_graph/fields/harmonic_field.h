@@ -18,8 +18,8 @@
 #include <CGAL/Reeb_graph/fields/internal/solve.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/internal/base/interpolation.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>

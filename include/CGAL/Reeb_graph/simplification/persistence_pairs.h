@@ -11,8 +11,8 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Buckets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
@@ -20,10 +20,8 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {

@@ -20,7 +20,6 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <utility>
-#include <vector>
 
 namespace CGAL::Reeb_graph {
 

@@ -19,7 +19,6 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>

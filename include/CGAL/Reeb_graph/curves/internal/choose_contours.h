@@ -34,7 +34,6 @@
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>

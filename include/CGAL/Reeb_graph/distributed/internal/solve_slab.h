@@ -12,8 +12,8 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/distributed/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Buckets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/complex/Simplicial_complex.h>
 #include <CGAL/Reeb_graph/internal/complex/Vertex_order.h>
 #include <CGAL/Reeb_graph/internal/complex/surface_complexes.h>

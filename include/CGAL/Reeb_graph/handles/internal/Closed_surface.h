@@ -25,8 +25,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <functional>

@@ -25,8 +25,6 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
-#include <memory>
-#include <mutex>
 #include <type_traits>
 #include <vector>
 
@@ -171,29 +169,6 @@ public:
 
 private:
   std::atomic<T> value_{T()};
-};
-
-// A part of a constant object that is made when it is asked for first, by whichever thread that is.
-template <class T>
-class Made_on_demand
-{
-public:
-  // make() is called by the first call only.
-  template <class Make>
-  const T& operator()(const Make& make) const
-  {
-    std::call_once(part_->is_made, [&] { part_->value = make(); });
-    return part_->value;
-  }
-
-private:
-  struct Part
-  {
-    std::once_flag is_made;
-    T value;
-  };
-
-  std::unique_ptr<Part> part_ = std::make_unique<Part>(); // so that the object can be moved
 };
 
 } // namespace CGAL::Reeb_graph::internal

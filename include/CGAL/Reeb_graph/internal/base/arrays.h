@@ -298,60 +298,6 @@ private:
   Index size_ = 0;
 };
 
-// Items in buckets, one for each key, one behind the other in one array: made by counting, then placing them. In a
-// bucket, they have the order in which they come.
-template <class Key, class Item>
-class Buckets
-{
-public:
-  template <class Iterator>
-  struct Range
-  {
-    Iterator first, last;
-
-    Iterator begin() const { return first; }
-    Iterator end() const { return last; }
-    std::size_t size() const { return static_cast<std::size_t>(last - first); }
-  };
-  typedef Range<const Item*> Bucket;
-
-  Buckets() = default;
-
-  // for_each_item(visit) calls visit(key, item), and is called twice.
-  template <class ForEachItem>
-  Buckets(std::size_t number_of_keys, const ForEachItem& for_each_item) : first_items_(number_of_keys + 2, 0)
-  {
-    // The counts are two places ahead, so that placing leaves each bucket's begin behind, at its own place.
-    std::size_t number_of_items = 0;
-    for_each_item([&](Key key, const Item&) {
-      ++first_items_[Key(key.number() + 2)];
-      ++number_of_items;
-    });
-    checked_index(number_of_items);
-    Index sum = 0;
-    for(Index& first : first_items_)
-      first = sum += first;
-    items_.resize(number_of_items);
-    for_each_item([&](Key key, const Item& item) { items_[first_items_[Key(key.number() + 1)]++] = item; });
-    first_items_.resize(number_of_keys + 1);
-  }
-
-  std::size_t size() const { return items_.size(); }
-
-  Range<Item*> operator[](Key key)
-  {
-    return {items_.data() + first_items_[key], items_.data() + first_items_[Key(key.number() + 1)]};
-  }
-  Bucket operator[](Key key) const
-  {
-    return {items_.data() + first_items_[key], items_.data() + first_items_[Key(key.number() + 1)]};
-  }
-
-private:
-  Indexed_vector<Key, Index> first_items_; // by key; and the end
-  Vector_of<Item> items_;
-};
-
 // The root of the set of an element, where parent(element) is a reference to the element that it has been linked to:
 // itself at the root. Paths are halved on the way.
 template <class Element, class Parent>

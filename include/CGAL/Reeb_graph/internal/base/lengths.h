@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/base/interpolation.h>
 
 #include <CGAL/number_utils.h>
 

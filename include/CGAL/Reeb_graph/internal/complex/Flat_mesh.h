@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/interpolation.h>
 #include <CGAL/Reeb_graph/internal/complex/Regular_vertices.h>
 #include <CGAL/Reeb_graph/internal/complex/Stars_ahead.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
@@ -57,6 +58,19 @@ Flat_values<FaceListGraph, Scalar> keep_flat(
             Flat_mesh<FaceListGraph>{std::move(checked.complex), std::move(checked.numbers)}),
           std::move(checked.field)};
 }
+
+struct No_visitor_of_fan
+{
+  void begin(Vertex_index) {}
+  void add(Vertex_index) {}
+};
+
+// The order of vertices without values.
+struct No_order
+{
+  bool operator()(Vertex_index, Vertex_index) const { return false; }
+  void prefetch(Vertex_index) const {}
+};
 
 // Sets the fans of all vertices, and checks the complex. Vertices that are known to be regular need no turn.
 template <class Complex, class Order>
@@ -162,6 +176,24 @@ std::vector<Point> read_points(const FaceListGraph& mesh, const PointMap& point_
   return points;
 }
 
+template <class FlatMesh, class PlaceMap>
+Place_of_vertex read_places(const FlatMesh& flat_mesh, const PlaceMap& map, std::size_t number_of_places)
+{
+  using boost::get; // for a pointer, whatever has been included before
+  Place_of_vertex places(flat_mesh.complex.number_of_vertices(), no_index);
+  for(const Vertex_index v : places.keys())
+  {
+    if(!flat_mesh.complex.has_vertex(v))
+      continue;
+    // A negative one is too large then.
+    const auto place = static_cast<std::size_t>(get(map, flat_mesh.numbers.vertices[v]));
+    if(place >= number_of_places)
+      throw Graph_mismatch_error();
+    places[v] = static_cast<Index>(place);
+  }
+  return places;
+}
+
 // Looks for a halfedge or its opposite around a vertex, which may be unknown. Returns whether it has been found, or is
 // not there.
 template <class FaceListGraph, class HalfedgeDescriptor>
@@ -197,6 +229,19 @@ Halfedge_index find_halfedge(const FaceListGraph& mesh,
     for(const auto v : {source(h, mesh), target(h, mesh)})
       is_done = is_done || find_around(mesh, flat_mesh, flat_mesh.numbers.number_of(v), h, most_steps, found);
   return found;
+}
+
+// Whether a halfedge can be one of the mesh. Only a mesh that numbers its halfedges tells those of other meshes.
+template <class FaceListGraph, class HalfedgeDescriptor>
+bool can_be_halfedge(const FaceListGraph&, const HalfedgeDescriptor&)
+{
+  return true;
+}
+
+template <class Point>
+bool can_be_halfedge(const Surface_mesh<Point>& mesh, typename Surface_mesh<Point>::Halfedge_index h)
+{
+  return mesh.has_valid_index(h);
 }
 
 // Calls visit(halfedge) for each face of the mesh, with the number of the halfedge that the mesh gives for it. A

@@ -12,8 +12,9 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/exceptions.h>
+#include <CGAL/Reeb_graph/internal/base/Buckets.h>
+#include <CGAL/Reeb_graph/internal/base/Made_on_demand.h>
 #include <CGAL/Reeb_graph/internal/base/Threads.h>
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
 

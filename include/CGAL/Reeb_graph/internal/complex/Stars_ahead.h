@@ -20,13 +20,6 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// The order of vertices without values.
-struct No_order
-{
-  bool operator()(Vertex_index, Vertex_index) const { return false; }
-  void prefetch(Vertex_index) const {}
-};
-
 // Visits vertices that are far from their neighbors in memory. A turn around one waits for memory at each step, as only
 // the last halfedge tells where the next one is. So there is a turn before the turn, for some vertices side by side:
 // what one of them waits for comes while the others ask. The visit finds all in the caches then.

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal {

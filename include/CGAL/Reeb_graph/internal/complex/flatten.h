@@ -39,9 +39,9 @@
 
 namespace CGAL::Reeb_graph::internal {
 
-// The descriptors of a mesh, numbered in the order in which they are added: a property map whose copies share the
-// numbers. Several threads may read it, also with descriptors of other meshes, which a dynamic property map of CGAL
-// inserts when it is read.
+// The descriptors of a mesh, numbered in the order of a range: a property map whose copies share the numbers. Several
+// threads may read it, also with descriptors of other meshes, which a dynamic property map of CGAL inserts when it is
+// read.
 template <class Descriptor, class Number>
 class Descriptor_numbers
 {
@@ -51,12 +51,14 @@ public:
   typedef Number reference;
   typedef boost::readable_property_map_tag category;
 
-  explicit Descriptor_numbers(std::size_t size) : numbers_(std::make_shared<std::unordered_map<Descriptor, Number>>())
+  template <class Range>
+  Descriptor_numbers(const Range& descriptors, std::size_t size)
+    : numbers_(std::make_shared<std::unordered_map<Descriptor, Number>>())
   {
     numbers_->reserve(size);
+    for(const Descriptor& d : descriptors)
+      numbers_->emplace(d, static_cast<Number>(numbers_->size()));
   }
-
-  void add(const Descriptor& d) { numbers_->emplace(d, static_cast<Number>(numbers_->size())); }
 
   // The number of a descriptor, the greatest of its type if it has none.
   friend Number get(const Descriptor_numbers& map, const Descriptor& d)
@@ -111,9 +113,7 @@ private:
 template <class Position, class Descriptor, class DescriptorList>
 auto store_positions(const DescriptorList& descriptors)
 {
-  Descriptor_numbers<Descriptor, Index> numbers(descriptors.size());
-  for(const Position position : Index_range<Position>(descriptors.size()))
-    numbers.add(descriptors[position]);
+  const Descriptor_numbers<Descriptor, Index> numbers(descriptors, descriptors.size());
   return [numbers](const Descriptor& d) { return Position(get(numbers, d)); };
 }
 
@@ -198,6 +198,8 @@ public:
   bool contains(Vertex_index) const { return true; }
 
   vertex_descriptor operator[](Vertex_index v) const { return vertices_[v]; }
+  auto begin() const { return vertices_.begin(); }
+  auto end() const { return vertices_.end(); }
   std::size_t position(Vertex_index v) const { return v.number(); }
 
 private:
@@ -360,24 +362,6 @@ struct Mesh_numbers
 // By vertex, places in a graph as a map has them, which compute_reeb_graph() has been given; no_index where there is none.
 typedef Indexed_vector<Vertex_index, Index> Place_of_vertex;
 
-template <class FlatMesh, class PlaceMap>
-Place_of_vertex read_places(const FlatMesh& flat_mesh, const PlaceMap& map, std::size_t number_of_places)
-{
-  using boost::get; // for a pointer, whatever has been included before
-  Place_of_vertex places(flat_mesh.complex.number_of_vertices(), no_index);
-  for(const Vertex_index v : places.keys())
-  {
-    if(!flat_mesh.complex.has_vertex(v))
-      continue;
-    // A negative one is too large then.
-    const auto place = static_cast<std::size_t>(get(map, flat_mesh.numbers.vertices[v]));
-    if(place >= number_of_places)
-      throw Graph_mismatch_error();
-    places[v] = static_cast<Index>(place);
-  }
-  return places;
-}
-
 // A mesh with its field by numbers, as the pipeline takes it.
 template <class Complex, class FaceListGraph, class Scalar>
 struct Complex_with_field
@@ -461,39 +445,6 @@ Keyed_field<typename Traits::Scalar> read_field(const Threads& threads,
     auto values = read_values(threads, vertices, scalar_map, traits, [](Scalar value) { return value; });
     return {vertices, std::move(values), less};
   }
-}
-
-// Whether a halfedge can be one of the mesh. Only a mesh that numbers its halfedges tells those of other meshes.
-template <class FaceListGraph, class HalfedgeDescriptor>
-bool can_be_halfedge(const FaceListGraph&, const HalfedgeDescriptor&)
-{
-  return true;
-}
-
-template <class Point>
-bool can_be_halfedge(const Surface_mesh<Point>& mesh, typename Surface_mesh<Point>::Halfedge_index h)
-{
-  return mesh.has_valid_index(h);
-}
-
-// Counts that most edits of a mesh change: its numbers of vertices, edges and faces, and the first number behind those of a
-// Surface_mesh, whose removed elements keep theirs.
-typedef std::array<std::size_t, 5> Element_counts;
-
-template <class FaceListGraph>
-Element_counts count_elements(const FaceListGraph& mesh)
-{
-  std::size_t number_of_edges = 0;
-  if constexpr(Has<Edge_list, FaceListGraph>::value)
-    number_of_edges = num_edges(mesh);
-  return {num_vertices(mesh), number_of_edges, num_faces(mesh), 0, 0};
-}
-
-template <class Point>
-Element_counts count_elements(const Surface_mesh<Point>& mesh)
-{
-  return {mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces(), mesh.num_vertices(),
-          mesh.num_edges()};
 }
 
 // Index maps for a mesh that needs none are checked, too: whoever gives one that is wrong is told so.

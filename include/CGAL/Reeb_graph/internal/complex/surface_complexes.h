@@ -456,12 +456,6 @@ struct Fan_counts
   }
 };
 
-struct No_visitor_of_fan
-{
-  void begin(Vertex_index) {}
-  void add(Vertex_index) {}
-};
-
 // A complex that may be none, as its faces may have more than three corners and its vertices more than one fan. The fan
 // of each vertex has to be set, in any order; then check() gives the complex.
 template <class Complex>

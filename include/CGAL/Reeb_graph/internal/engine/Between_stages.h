@@ -36,7 +36,8 @@
 // | find_arcs.h, by the Slicing of slabs.h  | Swept_arcs of all slabs, or of critical sets  | Swept_arcs             |
 // | write_graph.h                           | Swept_vertices, Swept_arcs, as a Flat_graph   | the graph of the user  |
 //
-// Locate_on_arcs.h asks the trees for other vertices; stages_of_complexes.h has what differs where there is no surface.
+// Locate_on_arcs.h asks the trees for other vertices; stages_of_complexes.h and
+// loops_of_complexes.h have what differs where there is no surface.
 
 namespace CGAL::Reeb_graph::internal {
 

@@ -14,11 +14,8 @@
 #include <CGAL/Reeb_graph/internal/engine/Merge_tree_sweep.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -243,63 +240,23 @@ private:
   std::size_t number_of_steps_ = 0; // of corrections
 };
 
-// Helpers for complexes that may be no surface, which only headers for soups include.
-class Components_of_complex;
-class Contour_search;
-
-// Finds contours along which the domain has to be cut so that its Reeb graph becomes a tree: at each vertex where
-// several lower contours meet, one of each sublevel component stays, the others close loops. On a surface, contours are
-// traced only where counting the components cannot exclude a loop. (Loop surgery is that of J. Tierny, A. Gyulassy, E.
-// Simon, V. Pascucci, 2009; where the loops are is counted here.)
-//
-// In a complex that may be no surface, it is found for all vertices at once which of the lower sectors in one sublevel
-// component are in one contour, but where counting excludes loops. Each contour that is cut closes a loop of the graph,
-// so there are at most as many cuts as the first Betti number of the complex.
-template <class Complex>
-class Loop_surgery
+// The lower contours of vertices, by the sublevel components that they are in, and those of them that close loops.
+// `Search` finds contours of one level by turns.
+template <class Complex, class Search>
+class Lower_contours
 {
 public:
-  Loop_surgery(const Slab<Complex>& slab,
-               const Vertex_order& order,
-               const Merge_tree& join_tree,
-               const Merge_tree& split_tree)
+  Lower_contours(const Slab<Complex>& slab,
+                 const Vertex_order& order,
+                 const Merge_tree& join_tree,
+                 const Merge_tree& split_tree)
     : complex_(slab.complex()),
       order_(order),
       critical_vertices_(slab.critical_vertices()),
       join_tree_(join_tree),
       split_tree_(split_tree),
       search_(complex_)
-  {
-    if constexpr(!Complex::is_surface)
-    {
-      last_vertices_at_edges_.assign(complex_.number_of_edges(), 0);
-      contours_.assign(critical_vertices_.total_number_of_sectors(Side::LOWER), no_index);
-      const auto& shared = join_tree.is_class_shared;
-      const auto number_of_shared = std::count(shared.begin(), shared.end(), true);
-      // To look at each triangle once pays if otherwise most would be looked at several times.
-      if(static_cast<std::size_t>(number_of_shared) > complex_.number_of_vertices() / 1024)
-        components_.emplace(complex_);
-      find_contours([&](Vertex_index v) { return is_simply_connected(v) || is_closed(v); });
-    }
-  }
-
-  // Whether two lower contours at the vertex might be in one sublevel component. May err to the safe side. The classes
-  // of the superlevel components can be those of the surface with the cuts further up: that can only exclude more.
-  bool can_close_loop(Swept_index critical)
-  {
-    if(!join_tree_.is_class_shared[critical])
-      return false;
-    if constexpr(Complex::is_surface)
-      return can_close_loop_of_surface(critical);
-    else
-    {
-      const Vertex_index vertex = critical_vertices_.vertex(critical);
-      if(is_simply_connected(vertex) || (is_closed(vertex) && !can_close_loop_of_curves(critical)))
-        return false;
-      sort_contours(critical);
-      return contours_of_vertex_.size() > count_classes(critical, Side::LOWER);
-    }
-  }
+  {}
 
   // Traces lower contours of the vertex, and calls visit(its sublevel class, halfedges of the crossed edges, each from
   // its lower end to its higher one, whether they reach the border) for all but one of each sublevel component.
@@ -325,25 +282,19 @@ public:
       });
       number_of_lost_steps_ += is_loop_closed ? 0 : search_.number_of_steps() - number_of_earlier_steps;
     }
-    if constexpr(!Complex::is_surface)
-      find_contours_if_steps_are_lost();
   }
 
   // How many steps searches have taken.
   std::size_t number_of_steps() const { return search_.number_of_steps(); }
 
-private:
-  bool can_close_loop_of_surface(Swept_index critical)
+protected:
+  // A lower contour of a vertex, and one sector that it passes.
+  struct Lower_contour
   {
-    // With closed contours on one side, as many loops are closed at the vertex, here or above and below, as its
-    // multiplicity exceeds the merges of both trees: none if all upper classes are different.
-    const bool is_on_border = critical_vertices_.is_on_border(critical);
-    if(is_on_border || (is_border_reached(critical, Side::UPPER) && is_border_reached(critical, Side::LOWER)))
-      return count_joined_lower_sectors(critical, is_on_border) > count_classes(critical, Side::LOWER);
-    return split_tree_.is_class_shared[critical]
-        && critical_vertices_.number_of_lower_sectors(critical) + 1
-             > count_classes(critical, Side::LOWER) + count_classes(critical, Side::UPPER);
-  }
+    Tree_node sublevel_class;
+    Index name;
+    Sector_index sector;
+  };
 
   const Merge_tree& tree(Side side) const { return side == Side::UPPER ? split_tree_ : join_tree_; }
 
@@ -382,6 +333,48 @@ private:
     contours_of_vertex_.erase(std::unique(begin, end, are_same), end);
   }
 
+  const Complex& complex_;
+  const Vertex_order& order_;
+  const Swept_vertices& critical_vertices_;
+  const Merge_tree& join_tree_;
+  const Merge_tree& split_tree_;
+  Search search_;
+  Plain_vector<Tree_node> classes_;
+  std::vector<Lower_contour> contours_of_vertex_; // of the last one
+  // By lower sector; no_index where none has been looked for. Empty on a surface, where none is.
+  Indexed_vector<Sector_index, Index> contours_;
+  std::size_t number_of_lost_steps_ = 0; // of searches that have closed no loop
+};
+
+// Finds contours along which the surface has to be cut so that its Reeb graph becomes a tree: at each vertex where
+// several lower contours meet, one of each sublevel component stays, the others close loops. They are traced only where
+// counting the components cannot exclude a loop. (Loop surgery is that of J. Tierny, A. Gyulassy, E. Simon, V. Pascucci,
+// 2009; where the loops are is counted here.)
+template <class Complex>
+class Loop_surgery : public Lower_contours<Complex, Contours_side_by_side<Complex>>
+{
+  typedef Lower_contours<Complex, Contours_side_by_side<Complex>> Base;
+
+public:
+  using Base::Base;
+
+  // Whether two lower contours at the vertex might be in one sublevel component. May err to the safe side. The classes
+  // of the superlevel components can be those of the surface with the cuts further up: that can only exclude more.
+  bool can_close_loop(Swept_index critical)
+  {
+    if(!join_tree_.is_class_shared[critical])
+      return false;
+    // With closed contours on one side, as many loops are closed at the vertex, here or above and below, as its
+    // multiplicity exceeds the merges of both trees: none if all upper classes are different.
+    const bool is_on_border = critical_vertices_.is_on_border(critical);
+    if(is_on_border || (is_border_reached(critical, Side::UPPER) && is_border_reached(critical, Side::LOWER)))
+      return count_joined_lower_sectors(critical, is_on_border) > count_classes(critical, Side::LOWER);
+    return split_tree_.is_class_shared[critical]
+        && critical_vertices_.number_of_lower_sectors(critical) + 1
+             > count_classes(critical, Side::LOWER) + count_classes(critical, Side::UPPER);
+  }
+
+private:
   bool is_border_reached(Swept_index critical, Side side) const
   {
     bool result = false;
@@ -395,7 +388,7 @@ private:
   // are joined twice: inside of the surface, some upper sector is in a component with border.
   Index count_joined_lower_sectors(Swept_index critical, bool is_on_border)
   {
-    sort_classes(critical, Side::UPPER);
+    this->sort_classes(critical, Side::UPPER);
     const Index number_of_lower_sectors = critical_vertices_.number_of_lower_sectors(critical);
     const Index number_of_upper_sectors = critical_vertices_.number_of_upper_sectors(critical);
     const Sector_index first = critical_vertices_.first_sector(critical, Side::UPPER);
@@ -413,107 +406,17 @@ private:
     return result;
   }
 
-  bool is_simply_connected(Vertex_index vertex) const
-  {
-    return components_ && components_->is_simply_connected(vertex);
-  }
-  bool is_closed(Vertex_index vertex) const { return components_ && components_->is_closed(vertex); }
-
-  // Finds the contours of all vertices in question, those in components that are left out excepted.
-  template <class IsLeftOut>
-  void find_contours(const IsLeftOut& is_left_out)
-  {
-    Plain_vector<Swept_index> vertices;
-    for(const Swept_index i : critical_vertices_.ascending())
-    {
-      if(join_tree_.is_class_shared[i] && !is_left_out(critical_vertices_.vertex(i)))
-        vertices.push_back(i);
-    }
-    find_contours_of_sectors(complex_, order_, critical_vertices_, vertices, is_left_out, contours_);
-  }
-
-  // On closed components, searches that close no loop are rare but where contours pass one-sided saddles twice: there,
-  // they could take quadratic time.
-  void find_contours_if_steps_are_lost()
-  {
-    if(are_all_found_ || number_of_lost_steps_ <= complex_.number_of_triangles())
-      return;
-    find_contours([&](Vertex_index v) { return is_simply_connected(v) || !is_closed(v); });
-    are_all_found_ = true;
-  }
-
-  // Whether two lower contours at the vertex might be in one sublevel component, where contours are closed curves. The
-  // fans around the vertex are disks in a surface between two levels, whose Euler characteristic is at most 2 less the
-  // number of its borders: so a fan with l lower sectors and as many upper ones passes at most l + 1 contours, one with
-  // a single sector passes one.
-  bool can_close_loop_of_curves(Swept_index critical)
-  {
-    return largest_number_of_contours(critical_vertices_.vertex(critical))
-         > count_classes(critical, Side::LOWER) + count_classes(critical, Side::UPPER);
-  }
-
-  // How many contours can be just below and just above the vertex, by its fans.
-  Index largest_number_of_contours(Vertex_index vertex)
-  {
-    Index result = 0;
-    complex_.for_each_edge_around(vertex, [&](Vertex_index, Halfedge_index halfedge) {
-      if(last_vertices_at_edges_[edge_of(halfedge)] != vertex.number() + 1)
-        result += count_changes_around(vertex, edge_of(halfedge)) / 2 + 1;
-    });
-    return result;
-  }
-
-  // How often lower and higher neighbors change in the fan of an edge at the vertex.
-  Index count_changes_around(Vertex_index vertex, Edge_index first)
-  {
-    const auto is_upper = [&](Edge_index edge) {
-      const Vertex_index low = complex_.lower_end(edge);
-      return order_(vertex, low == vertex ? complex_.higher_end(edge) : low);
-    };
-    Index changes = 0;
-    Edge_index edge = first;
-    Triangle_index triangle = *complex_.triangles_of(first).begin();
-    do
-    {
-      last_vertices_at_edges_[edge] = vertex.number() + 1;
-      const std::array<Edge_index, 3>& edges = complex_.edges_of(triangle);
-      const auto is_next = [&](Edge_index e) {
-        return e != edge && (complex_.lower_end(e) == vertex || complex_.higher_end(e) == vertex);
-      };
-      const Edge_index next = *std::find_if(edges.begin(), edges.end(), is_next);
-      changes += is_upper(edge) != is_upper(next) ? 1 : 0;
-      const auto triangles = complex_.triangles_of(next);
-      triangle = *triangles.begin() == triangle ? triangles.begin()[1] : *triangles.begin();
-      edge = next;
-    } while(edge != first);
-    return changes;
-  }
-
-  // A lower contour of a vertex, and one sector that it passes.
-  struct Lower_contour
-  {
-    Tree_node sublevel_class;
-    Index name;
-    Sector_index sector;
-  };
-
-  const Complex& complex_;
-  const Vertex_order& order_;
-  const Swept_vertices& critical_vertices_;
-  const Merge_tree& join_tree_;
-  const Merge_tree& split_tree_;
-  std::conditional_t<Complex::is_surface, Contours_side_by_side<Complex>, Contour_search> search_;
-  Plain_vector<Tree_node> classes_;
-  std::vector<Lower_contour> contours_of_vertex_; // of the last one
-
-  // Of a complex that may be no surface:
-  std::optional<std::conditional_t<Complex::is_surface, std::tuple<>, Components_of_complex>>
-    components_;                                             // if there are many vertices to ask about
-  Indexed_vector<Edge_index, Index> last_vertices_at_edges_; // whose fans have been turned around; from 1 on
-  Indexed_vector<Sector_index, Index> contours_;             // by lower sector; no_index where none has been looked for
-  std::size_t number_of_lost_steps_ = 0;                     // of searches that have closed no loop
-  bool are_all_found_ = false;
+  using Base::classes_;
+  using Base::count_classes;
+  using Base::critical_vertices_;
+  using Base::join_tree_;
+  using Base::split_tree_;
+  using Base::tree;
 };
+
+// The class for a complex that may be no surface, which only headers for soups include.
+template <>
+class Loop_surgery<Simplicial_complex>;
 
 } // namespace CGAL::Reeb_graph::internal
 

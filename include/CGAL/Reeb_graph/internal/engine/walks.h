@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 

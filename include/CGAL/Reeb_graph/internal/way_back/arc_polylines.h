@@ -11,11 +11,11 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Buckets.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/interpolation.h>
 #include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/base/requirements.h>
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -25,7 +25,6 @@
 #include <boost/unordered_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <functional>

@@ -13,10 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/Threads.h>
-#include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
-#include <CGAL/Reeb_graph/internal/engine/Between_stages.h>
-#include <CGAL/Reeb_graph/internal/engine/Locate_on_arcs.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>

@@ -17,7 +17,7 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 #include <CGAL/Reeb_graph/internal/base/compiled.h>
-#include <CGAL/Reeb_graph/internal/base/scalars.h>
+#include <CGAL/Reeb_graph/internal/base/interpolation.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 #include <CGAL/Reeb_graph/internal/complex/Weighted_graph.h>
 #include <CGAL/Reeb_graph/internal/graph/Leaf_pruning.h>

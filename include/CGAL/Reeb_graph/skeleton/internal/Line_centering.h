@@ -16,7 +16,6 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Blunt_end.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>

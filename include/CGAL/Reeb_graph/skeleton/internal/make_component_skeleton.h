@@ -30,9 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal::skeleton {
