@@ -54,9 +54,9 @@ struct Merged_field
   double largest_difference = 0;
 };
 
-// What a file of faces has. Components, borders and fans are those of a complex: the faces of an edge are joined, however
-// many they are.
-struct Soup_counts
+// What a mesh has, be it a surface or not. Components, borders and fans are those of a complex: the faces of an edge are
+// joined, however many they are.
+struct Mesh_counts
 {
   std::size_t vertices = 0, edges = 0, faces = 0;
   std::size_t components = 0; // isolated vertices included
@@ -67,6 +67,12 @@ struct Soup_counts
 
   long euler_characteristic() const { return static_cast<long>(vertices + faces) - static_cast<long>(edges); }
   bool is_surface() const { return edges_of_many_faces + vertices_of_several_fans + edges_without_orientation == 0; }
+  // Of an oriented connected surface. A vertex alone has none.
+  std::optional<long> genus() const
+  {
+    const long twice = 2 - euler_characteristic() - static_cast<long>(border_loops);
+    return is_surface() && components == 1 && twice % 2 == 0 ? std::make_optional(twice / 2) : std::nullopt;
+  }
 };
 
 // What a repair has done.
@@ -85,7 +91,7 @@ struct Repair_counts
   std::size_t filled_borders = 0, filling_faces = 0;
   std::size_t other_faces = 0;       // than of the largest component
   std::size_t unused_points = 0;     // of no face, that are left out
-  Soup_counts given, merged, result; // given: but for the faces that are left out
+  Mesh_counts given, merged, result; // given: but for the faces that are left out
 };
 
 } // namespace reeb_graph_program

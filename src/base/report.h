@@ -89,17 +89,6 @@ struct Arc_table
   }
 };
 
-struct Surface_counts
-{
-  std::size_t vertices = 0;
-  std::size_t edges = 0;
-  std::size_t faces = 0;
-  std::size_t components = 0;
-  std::size_t border_loops = 0;
-  long euler_characteristic = 0;
-  std::optional<long> genus; // of a connected surface
-};
-
 // A complex that is no oriented manifold surface. Vertices are numbered from 0; edges come in the order of their two
 // vertices. Where there are tetrahedra, neither edges of many faces nor fans are counted.
 struct Complex_counts
@@ -256,7 +245,7 @@ struct Ranks_report
 struct Report : Work_report
 {
   std::optional<Ranks_report> ranks; // of a computation on several processes
-  Surface_counts surface;
+  Mesh_counts surface;
   std::optional<Complex_counts> complex; // instead of the surface
   CGAL::Reeb_graph::Critical_vertex_counts critical_vertices;
   Graph_counts graph;

@@ -18,9 +18,6 @@
 #include "page/page_output.h"
 
 #include <iostream>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace fs = std::filesystem;
 

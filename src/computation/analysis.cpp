@@ -165,37 +165,29 @@ void remove_faces_of_cells(Complex& complex)
 
 namespace {
 namespace PMP = CGAL::Polygon_mesh_processing;
-Surface_counts count_surface(const Surface& surface, const Graph& graph, std::size_t number_of_isolated_vertices)
+Mesh_counts count_surface(const Surface& surface, const Graph& graph)
 {
-  Surface_counts counts;
+  Mesh_counts counts;
   counts.vertices = surface.number_of_vertices();
   counts.edges = surface.number_of_edges();
   counts.faces = surface.number_of_faces();
   counts.components = CGAL::Reeb_graph::number_of_components(graph); // as many as the surface has
   counts.border_loops = PMP::number_of_borders(surface);
-  count_handles(counts, number_of_isolated_vertices);
   return counts;
 }
 
 } // namespace
 
-void count_handles(Surface_counts& counts, std::size_t number_of_isolated_vertices)
-{
-  counts.euler_characteristic = static_cast<long>(counts.vertices + counts.faces) - static_cast<long>(counts.edges);
-  if(counts.components == 1 && number_of_isolated_vertices == 0)
-    counts.genus = (2 - counts.euler_characteristic - static_cast<long>(counts.border_loops)) / 2;
-}
-
 void count_graph_of_surface(const Graph& graph, Report& report)
 {
   report.graph = count_graph(graph, report.surface.components);
-  if(report.surface.genus && report.surface.border_loops == 0)
-    report.graph.hidden_handles = *report.surface.genus - static_cast<long>(report.graph.loops);
+  if(const auto genus = report.surface.genus(); genus && report.surface.border_loops == 0)
+    report.graph.hidden_handles = *genus - static_cast<long>(report.graph.loops);
 }
 
 void count_all(const Surface& surface, const Graph& graph, Report& report)
 {
-  report.surface = count_surface(surface, graph, report.critical_vertices.isolated);
+  report.surface = count_surface(surface, graph);
   count_graph_of_surface(graph, report);
 }
 

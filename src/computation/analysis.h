@@ -12,13 +12,9 @@
 #include "base/report.h"
 #include "base/surface.h"
 
-#include <cstddef>
 #include <string>
 
 namespace reeb_graph_program {
-// Adds the Euler characteristic and the genus to the other counts.
-void count_handles(Surface_counts& counts, std::size_t number_of_isolated_vertices);
-
 // Adds the counts of the graph behind those of the surface.
 void count_graph_of_surface(const Graph& graph, Report& report);
 

@@ -23,7 +23,6 @@
 #include <CGAL/compute_reeb_graph.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>

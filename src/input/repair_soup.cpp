@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -71,10 +70,10 @@ std::vector<std::size_t> count_fans(const Polygons& polygons,
   return numbers;
 }
 
-Soup_counts count_soup(const Polygons& polygons, std::size_t number_of_vertices)
+Mesh_counts count_soup(const Polygons& polygons, std::size_t number_of_vertices)
 {
   const std::vector<Polygon_side> sides = sides_of(polygons);
-  Soup_counts counts;
+  Mesh_counts counts;
   counts.vertices = number_of_vertices;
   counts.faces = polygons.size();
   Union_find_of_indices vertices(number_of_vertices), borders(number_of_vertices);

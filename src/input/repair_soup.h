@@ -68,7 +68,7 @@ void for_each_edge(const std::vector<Polygon_side>& sides, const Visit& visit)
   }
 }
 
-Soup_counts count_soup(const Polygons& polygons, std::size_t number_of_vertices);
+Mesh_counts count_soup(const Polygons& polygons, std::size_t number_of_vertices);
 
 // How many fans the faces at each vertex form.
 std::vector<std::size_t> count_fans(const Polygons& polygons,

@@ -47,7 +47,6 @@
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -286,13 +285,12 @@ void put_on_nodes(const Graph_of_ranks& graph, const Local_mesh& mesh, bool are_
 
 void count_surface(const Local_mesh& mesh, const Slab& slab, const Graph& graph, Report& report)
 {
-  Surface_counts& counts = report.surface;
+  Mesh_counts& counts = report.surface;
   counts.vertices = mesh.number_of_vertices;
   counts.faces = mesh.number_of_triangles;
   counts.edges = (3 * mesh.number_of_triangles + slab.border_edges) / 2;
   counts.components = CGAL::Reeb_graph::number_of_components(graph); // as many as the surface has
   counts.border_loops = slab.border_loops;
-  count_handles(counts, report.critical_vertices.isolated);
   count_graph_of_surface(graph, report);
 }
 

@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <string>
 #include <variant>
 #include <vector>
 

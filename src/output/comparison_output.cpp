@@ -107,10 +107,14 @@ void write_json(std::ostream& out, const Comparison_report& report)
   {
     const Report& shape = report.shapes[i];
     const Graph_counts& graph = compared_graph(shape);
-    nlohmann::ordered_json one = {{"name", report.names[i]},      {"vertices", shape.surface.vertices},
-                                  {"faces", shape.surface.faces}, {"components", shape.surface.components},
-                                  {"genus", shape.surface.genus}, {"nodes", graph.nodes},
-                                  {"arcs", graph.arcs},           {"loops", graph.loops}};
+    nlohmann::ordered_json one = {{"name", report.names[i]},
+                                  {"vertices", shape.surface.vertices},
+                                  {"faces", shape.surface.faces},
+                                  {"components", shape.surface.components},
+                                  {"genus", shape.surface.genus()},
+                                  {"nodes", graph.nodes},
+                                  {"arcs", graph.arcs},
+                                  {"loops", graph.loops}};
     add_field_and_costs(one, shape);
     json["shapes"].push_back(std::move(one));
   }

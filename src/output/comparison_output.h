@@ -12,7 +12,6 @@
 #include "base/report.h"
 #include "computation/comparison.h"
 
-#include <cstddef>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>

@@ -13,8 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <iomanip>
 #include <string>
 #include <utility>
@@ -43,15 +41,6 @@ std::string count_parts(const Graph_counts& graph)
        + (graph.arcs_of_length_zero > 0 ? ", " + count(graph.arcs_of_length_zero, "arc") + " of length zero" : "");
 }
 
-void write_counts(std::ostream& out, const Surface_counts& surface)
-{
-  out << "surface  " << count(surface.vertices, "vertex", "vertices") << ", " << count(surface.edges, "edge") << ", "
-      << count(surface.faces, "face") << "\n         " << count(surface.components, "component") << ", "
-      << count(surface.border_loops, "border loop") << ", Euler characteristic " << surface.euler_characteristic;
-  if(surface.genus)
-    out << ", genus " << *surface.genus;
-}
-
 void write_counts(std::ostream& out, const Complex_counts& complex)
 {
   out << "complex  " << count(complex.vertices, "vertex", "vertices") << ", " << count(complex.edges, "edge") << ", "
@@ -77,18 +66,7 @@ void write_counts(std::ostream& out, const Complex_counts& complex)
   if(const auto& edge = complex.first_edge_without_orientation)
     out << "\n         not orientable, which shows at the edge of the vertices " << edge->first << " and "
         << edge->second;
-}
-
-nlohmann::ordered_json json_of(const Surface_counts& surface)
-{
-  return {{"vertices", surface.vertices},
-          {"edges", surface.edges},
-          {"faces", surface.faces},
-          {"components", surface.components},
-          {"border_loops", surface.border_loops},
-          {"euler_characteristic", surface.euler_characteristic},
-          {"genus", surface.genus},
-          {"complex", nullptr}};
+  out << '\n';
 }
 
 nlohmann::ordered_json json_of(const Complex_counts& complex)
@@ -261,8 +239,7 @@ void write_text(std::ostream& out, const Report& report)
   if(report.complex)
     write_counts(out, *report.complex);
   else
-    write_counts(out, report.surface);
-  out << '\n';
+    write_counts(out, "surface  ", report.surface);
   write_input_text(out, report);
   out << "field    " << count(critical_vertices.minima, "minimum", "minima") << ", " << count_saddles(critical_vertices)
       << ", " << count(critical_vertices.maxima, "maximum", "maxima");
@@ -301,6 +278,8 @@ void write_text(std::ostream& out, const Report& report)
 void write_json(std::ostream& out, const Report& report)
 {
   nlohmann::ordered_json json = report.complex ? json_of(*report.complex) : json_of(report.surface);
+  if(!report.complex)
+    json["complex"] = nullptr;
   json["minima"] = report.critical_vertices.minima;
   json["saddles"] = nlohmann::ordered_json::object();
   for(const auto& [multiplicity, number] : report.critical_vertices.saddles)

@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <optional>
@@ -172,6 +171,27 @@ void write_input_text(std::ostream& out, const Work_report& report)
     return;
   out << "repair   of a copy, which '" << report.repair_command << "' writes:\n";
   write_steps(out, *report.repair);
+}
+
+void write_counts(std::ostream& out, const std::string& title, const Mesh_counts& counts)
+{
+  out << title << count(counts.vertices, "vertex", "vertices") << ", " << count(counts.edges, "edge") << ", "
+      << count(counts.faces, "face") << "\n         " << count(counts.components, "component") << ", "
+      << count(counts.border_loops, "border loop") << ", Euler characteristic " << counts.euler_characteristic();
+  if(const auto genus = counts.genus())
+    out << ", genus " << *genus;
+  out << '\n';
+}
+
+nlohmann::ordered_json json_of(const Mesh_counts& counts)
+{
+  return {{"vertices", counts.vertices},
+          {"edges", counts.edges},
+          {"faces", counts.faces},
+          {"components", counts.components},
+          {"border_loops", counts.border_loops},
+          {"euler_characteristic", counts.euler_characteristic()},
+          {"genus", counts.genus()}};
 }
 
 void write_field_text(std::ostream& out, const Work_report& report)
@@ -375,14 +395,7 @@ void write_json(std::ostream& out, const Handles_report& report)
 }
 
 namespace {
-// Of an oriented connected surface.
-std::optional<long> genus_of(const Soup_counts& counts)
-{
-  const long twice = 2 - counts.euler_characteristic() - static_cast<long>(counts.border_loops);
-  return counts.is_surface() && counts.components == 1 && twice % 2 == 0 ? std::make_optional(twice / 2) : std::nullopt;
-}
-
-void write_faults(std::ostream& out, const Soup_counts& counts)
+void write_faults(std::ostream& out, const Mesh_counts& counts)
 {
   if(counts.edges_of_many_faces > 0)
     out << "         " << count(counts.edges_of_many_faces, "edge") << " with more than two faces\n";
@@ -394,29 +407,13 @@ void write_faults(std::ostream& out, const Soup_counts& counts)
         << " along which both faces run in the same direction\n";
 }
 
-void write_mesh_counts(std::ostream& out, const std::string& title, const Soup_counts& counts)
+nlohmann::ordered_json json_with_faults(const Mesh_counts& counts)
 {
-  out << title << count(counts.vertices, "vertex", "vertices") << ", " << count(counts.edges, "edge") << ", "
-      << count(counts.faces, "face") << "\n         " << count(counts.components, "component") << ", "
-      << count(counts.border_loops, "border loop") << ", Euler characteristic " << counts.euler_characteristic();
-  if(const auto genus = genus_of(counts))
-    out << ", genus " << *genus;
-  out << '\n';
-  write_faults(out, counts);
-}
-
-nlohmann::ordered_json json_of(const Soup_counts& counts)
-{
-  return {{"vertices", counts.vertices},
-          {"edges", counts.edges},
-          {"faces", counts.faces},
-          {"components", counts.components},
-          {"border_loops", counts.border_loops},
-          {"euler_characteristic", counts.euler_characteristic()},
-          {"genus", genus_of(counts)},
-          {"edges_of_many_faces", counts.edges_of_many_faces},
-          {"vertices_of_several_fans", counts.vertices_of_several_fans},
-          {"edges_without_orientation", counts.edges_without_orientation}};
+  nlohmann::ordered_json json = json_of(counts);
+  json["edges_of_many_faces"] = counts.edges_of_many_faces;
+  json["vertices_of_several_fans"] = counts.vertices_of_several_fans;
+  json["edges_without_orientation"] = counts.edges_without_orientation;
+  return json;
 }
 
 // The numbers of a repair: their names in JSON, and what is said where one is not 0, for one and for several.
@@ -487,7 +484,8 @@ void add_steps(nlohmann::ordered_json& json, const Repair_counts& counts)
 void write_text(std::ostream& out, const Repair_report& report)
 {
   const Repair_counts& counts = report.counts;
-  write_mesh_counts(out, "given    ", counts.given);
+  write_counts(out, "given    ", counts.given);
+  write_faults(out, counts.given);
   write_input_text(out, report);
   out << "repair\n";
   if(report.lines_left_out > 0)
@@ -499,14 +497,16 @@ void write_text(std::ostream& out, const Repair_report& report)
           << ", by at most " << field.largest_difference << '\n';
   for(const std::string& name : report.lost_fields)
     out << "         " << name << " is lost, as only PLY and VTP have fields, of one number for each vertex\n";
-  write_mesh_counts(out, "result   ", counts.result);
+  write_counts(out, "result   ", counts.result);
+  write_faults(out, counts.result);
 }
 
 void write_json(std::ostream& out, const Repair_report& report)
 {
   const Repair_counts& counts = report.counts;
-  nlohmann::ordered_json json = {
-    {"given", json_of(counts.given)}, {"merged", json_of(counts.merged)}, {"result", json_of(counts.result)}};
+  nlohmann::ordered_json json = {{"given", json_with_faults(counts.given)},
+                                 {"merged", json_with_faults(counts.merged)},
+                                 {"result", json_with_faults(counts.result)}};
   add_steps(json, counts);
   json["lines_left_out"] = report.lines_left_out;
   json["fields"] = nlohmann::ordered_json::array();

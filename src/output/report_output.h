@@ -14,7 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -118,6 +117,10 @@ inline std::optional<std::size_t> first_of(const std::vector<std::size_t>& numbe
 {
   return numbers.empty() ? std::nullopt : std::make_optional(numbers.front());
 }
+
+// The counts of a mesh, but for places where it is no surface.
+void write_counts(std::ostream& out, const std::string& title, const Mesh_counts& counts);
+nlohmann::ordered_json json_of(const Mesh_counts& counts);
 
 // Writes the report and a line end. Names of files and fields may be no UTF-8, which JSON has to be.
 void write_line(std::ostream& out, const nlohmann::ordered_json& json);

@@ -17,7 +17,6 @@
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/boost/graph/iterator.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
