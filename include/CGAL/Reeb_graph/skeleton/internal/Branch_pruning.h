@@ -13,6 +13,7 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Edge_walk.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
@@ -30,7 +31,7 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 // Takes branches off a graph, the least persistent ones first: paths from a leaf to the node where they leave the trunk,
 // or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of its radius there, or
 // of a quarter of that of the trunk, if it protrudes from the trunk by less than a share of its radius, or if it leads
-// across a tube. One to a border stays.
+// across a tube. A limb as long as wide stays where it protrudes by half of that share, and so does one to a border.
 class Branch_pruning
 {
 public:
@@ -50,7 +51,8 @@ public:
       degrees_(graph.number_of_nodes()),
       redirections_(graph.number_of_nodes(), no_index),
       branches_(graph.number_of_nodes()),
-      waiting_(graph.number_of_nodes())
+      waiting_(graph.number_of_nodes()),
+      walk_(tree.mesh())
   {
     for(Index node = 0; node != graph.number_of_nodes(); ++node)
       degrees_[node] = static_cast<Index>(graph.arcs_of(node).size());
@@ -168,39 +170,33 @@ private:
     // The trunk's contour at a hand or foot is that of all fingers or toes: each is compared with its own one.
     const double length = graph_.sample_beside(branch.arcs.back(), branch.end).shape.length;
     const double own = std::clamp(length / (2 * pi), radius / 4, radius);
-    return branch.persistence <= ratio_ * own || protrusion < ratio_ * radius || is_bump(tip, branch.persistence)
-        || is_across_tube(branch, tip, length);
+    if(protrusion < ratio_ / 2 * radius || is_across_tube(branch, tip, length))
+      return true;
+    // Values that are no distances from a tip have extrema anywhere.
+    return (!are_values_distances_ || protrusion < ratio_ * radius || branch.persistence <= ratio_ * own
+            || is_bump(tip, branch.persistence))
+        && !is_limb(tip, ratio_ * own, 2 * protrusion);
   }
 
   // Whether a branch is short beside a ball inside of the surface near where it leaves the trunk, or its tip hardly protrudes from
-  // that. Most branches of noise go so: contours need not be measured, which can be as long as the surface is large. A ball that
-  // is not quite where a long branch leaves can be the last one of a tube, which its end does not protrude from.
+  // that, and it is no limb. Most branches of noise go so, by balls that have been met: contours need not be measured, which can
+  // be as long as the surface is large. One that is not of noise has a ball of its own, as another one near can be in its limb.
   bool is_beside_large_ball(const Branch& branch, Index tip)
   {
-    const auto is_within = [&](double share, const Inner_ball& ball) {
-      return distance(graph_.point(branch.end), ball.center) < share * ball.radius;
-    };
-    const auto is_small = [&](const Inner_ball& ball, bool is_there) {
-      return branch.persistence < ratio_ / 2 * ball.radius
-          || ((is_there || branch.persistence < 2 * ratio_ * ball.radius)
-              && distance(graph_.point(tip), ball.center) < (1 + ratio_) * ball.radius);
-    };
-    bool is_known = false;
+    const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
+    const auto is_near = [&](const Inner_ball& ball) { return distance(bottom, ball.center) < 1.5 * ball.radius; };
+    const auto is_short = [&](const Inner_ball& ball) { return branch.persistence < ratio_ / 2 * ball.radius; };
+    const auto protrusion = [&](const Inner_ball& ball) { return distance(top, ball.center) - ball.radius; };
     for(const Inner_ball& ball : balls_)
-      if(is_within(1.5, ball))
-      {
-        const bool is_there = is_within(1.1, ball);
-        is_known = is_known || is_there;
-        if(is_small(ball, is_there))
-          return true;
-      }
-    if(is_known)
-      return false;
+      if(is_near(ball) && is_short(ball) && protrusion(ball) < ratio_ * ball.radius)
+        return true;
     const Inner_ball ball = tree_.ball_beneath(graph_.vertex(branch.end));
-    if(!is_within(1.5, ball))
+    if(!is_near(ball))
       return false;
     balls_.push_back(ball);
-    return is_small(ball, true);
+    return (is_short(ball) || protrusion(ball) < ratio_ * ball.radius)
+        && (protrusion(ball) < ratio_ / 2 * ball.radius
+            || !is_limb(tip, ratio_ / 2 * ball.radius, 2 * protrusion(ball)));
   }
 
   // Whether a ball touches both ends of a branch, and the contour where it leaves the trunk goes around the ball on both
@@ -268,6 +264,24 @@ private:
     return false;
   }
 
+  // Whether what is nearer to a tip than some distance is about as long as it is wide. The persistence of a limb that the front
+  // passes across, or reaches from two sides, tells nothing of its length. Spikes of noise have edges as long as they are.
+  bool is_limb(Index tip, double least, double most)
+  {
+    const double fineness = 0.4; // of the edges: at most this share of the limb's length
+    walk_.start(graph_.vertex(tip));
+    for(double d = (std::max)(least, most / 16); d > 0 && d <= most; d *= 1.1)
+    {
+      while(walk_.next_distance() <= d && walk_.longest_edge() < fineness * most)
+        walk_.step();
+      if(!std::isfinite(walk_.next_distance()) || walk_.longest_edge() >= fineness * most)
+        return false;
+      if(walk_.longest_edge() < fineness * d && walk_.width_by_distance() < 1.6)
+        return true;
+    }
+    return false;
+  }
+
   void remove(Index tip)
   {
     Branch& branch = branches_[tip];
@@ -302,6 +316,7 @@ private:
   std::vector<Branch> branches_;            // of tips
   std::vector<std::vector<Index>> waiting_; // the tips whose branches end at a node, and stay
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue_;
+  Edge_walk walk_;
   std::vector<Inner_ball> balls_; // those that have been met
 };
 

@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Edge_walk.h>
 #include <CGAL/compute_reeb_graph.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -25,11 +26,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Reeb_graph::internal::skeleton {
@@ -61,34 +59,11 @@ inline Mesh::Vertex_index farthest_from_centroid(const Mesh& mesh)
 // The vertex that is farthest from another one along edges.
 inline Mesh::Vertex_index farthest_along_edges(const Mesh& mesh, Mesh::Vertex_index from)
 {
-  typedef std::pair<double, Mesh::Vertex_index> Entry;
-  std::vector<double> distances(mesh.num_vertices(), std::numeric_limits<double>::infinity());
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  distances[from] = 0;
-  queue.push({0, from});
-  Mesh::Vertex_index last = from;
-  while(!queue.empty())
-  {
-    const auto [reached, v] = queue.top();
-    queue.pop();
-    if(reached > distances[v])
-      continue;
-    last = v;
-    const auto first = mesh.halfedge(v);
-    auto h = first;
-    do // The halfedges end at v.
-    {
-      const auto u = mesh.source(h);
-      if(const double old = distances[u]; reached < old)
-        if(const double next = reached + distance(mesh.point(v), mesh.point(u)); next < old)
-        {
-          distances[u] = next;
-          queue.push({next, u});
-        }
-      h = mesh.opposite(mesh.next(h));
-    } while(h != first);
-  }
-  return last;
+  Edge_walk walk(mesh);
+  walk.start(from);
+  while(walk.step())
+    ;
+  return walk.last();
 }
 
 // The apex of the border that a vertex is on, or else the vertex.

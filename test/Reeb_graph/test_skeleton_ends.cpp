@@ -1,0 +1,121 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#include <boost/test/unit_test.hpp>
+
+#include "generated_surfaces.h"
+#include "limbed_bodies.h"
+#include "mesh_builders.h"
+
+#include <CGAL/Reeb_graph/fields/geodesic_field.h>
+#include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+// Ends of skeletons are those that a person counts.
+
+BOOST_AUTO_TEST_SUITE(test_skeleton_ends)
+
+using limbed_bodies::Body;
+using limbed_bodies::End;
+using mesh_builders::Surface_mesh;
+typedef std::array<double, 3> Point;
+
+namespace {
+// Of the skeleton by distances from a vertex, or by default.
+std::vector<Point> found_ends(Surface_mesh& mesh, std::optional<Surface_mesh::Vertex_index> start)
+{
+  CGAL::Reeb_graph::Curve_skeleton<Surface_mesh> skeleton;
+  if(start)
+  {
+    const auto field = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:distance", 0).first;
+    CGAL::Reeb_graph::compute_geodesic_field(mesh, field, std::array<Surface_mesh::Vertex_index, 1>{*start});
+    CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton, CGAL::parameters::scalar_map(field));
+  }
+  else
+    CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton);
+  std::vector<Point> result;
+  for(const auto v : CGAL::make_range(vertices(skeleton)))
+    if(out_degree(v, skeleton) == 1)
+      result.push_back({skeleton[v].point.x(), skeleton[v].point.y(), skeleton[v].point.z()});
+  return result;
+}
+
+// How many ends have no tip, each of which is taken for one end; tips that are none are left.
+std::size_t number_missing(const std::vector<End>& ends, std::vector<Point>& tips)
+{
+  std::size_t missing = 0;
+  for(const End& end : ends)
+  {
+    const auto distance = [&](const Point& p) { return tube_samples::distance(p, end.tip); };
+    const auto nearest = std::min_element(tips.begin(), tips.end(),
+                                          [&](const Point& p, const Point& q) { return distance(p) < distance(q); });
+    if(nearest == tips.end() || distance(*nearest) > end.reach)
+      ++missing;
+    else
+      tips.erase(nearest);
+  }
+  return missing;
+}
+
+// Of all these bodies: 1 percent of ends may be missing.
+void check_bodies(const std::function<Body(std::size_t)>& make,
+                  std::size_t number,
+                  std::size_t most_false,
+                  bool is_start_random = false)
+{
+  std::size_t ends = 0, missing = 0, number_false = 0;
+  for(std::size_t seed = 0; seed != number; ++seed)
+  {
+    const Body body = make(seed);
+    auto mesh = generated_surfaces::make_mesh<Surface_mesh>(surface(body, 0.01, seed));
+    std::optional<Surface_mesh::Vertex_index> start;
+    if(is_start_random)
+      start = Surface_mesh::Vertex_index(static_cast<unsigned>(7919 * (seed + 1) % mesh.num_vertices()));
+    std::vector<Point> tips = found_ends(mesh, start);
+    ends += body.ends.size();
+    missing += number_missing(body.ends, tips);
+    number_missing(body.disputed, tips);
+    number_false += tips.size();
+  }
+  BOOST_TEST(100 * missing <= ends);
+  BOOST_TEST(number_false <= most_false);
+}
+} // namespace
+
+// Each tip on the rim of a lid has edges as long as a limb would be.
+BOOST_AUTO_TEST_CASE(lids_around_a_corner_have_no_limbs)
+{
+  const std::size_t sides = 3000, rings = 3;
+  auto soup = generated_surfaces::internal::grid(sides, rings, true, false, [&](std::size_t i, std::size_t k) {
+    const double turn = 2 * std::acos(-1.) * static_cast<double>(i) / static_cast<double>(sides);
+    return Point{std::cos(turn), std::sin(turn), 2 * static_cast<double>(k)};
+  });
+  for(std::size_t i = 1; i + 1 != sides; ++i)
+  {
+    const std::size_t top = (rings - 1) * sides;
+    soup.triangles.push_back({0, i + 1, i});
+    soup.triangles.push_back({top, top + i, top + i + 1});
+  }
+  auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
+  BOOST_TEST(found_ends(mesh, std::nullopt).size() == 2);
+}
+
+BOOST_AUTO_TEST_CASE(quadrupeds_have_their_ends) { check_bodies(limbed_bodies::quadruped, 20, 0); }
+
+BOOST_AUTO_TEST_CASE(short_legs_have_their_ends) { check_bodies(limbed_bodies::short_legged, 40, 1); }
+
+BOOST_AUTO_TEST_CASE(ends_are_there_from_any_start) { check_bodies(limbed_bodies::short_legged, 40, 2, true); }
+
+BOOST_AUTO_TEST_SUITE_END()
