@@ -55,12 +55,8 @@ protected:
     return beads_.size() - 1;
   }
 
-  Bead_lines(const Graph_chains& chains,
-             const Surface_tree& tree,
-             const Wall_tree& walls,
-             Skeleton_lines& lines,
-             double smooth)
-    : Bead_ways(tree, walls),
+  Bead_lines(const Graph_chains& chains, const Surface_tree& tree, Skeleton_lines& lines, double smooth)
+    : Bead_ways(tree),
       smooth_(smooth),
       least_depth_(lines.least_radius())
   {

@@ -14,7 +14,6 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Wall_tree.h>
 
 #include <optional>
 
@@ -39,12 +38,12 @@ protected:
     Surface_place place() const { return {point.point, vertex, face}; }
   };
 
-  Bead_ways(const Surface_tree& tree, const Wall_tree& walls) : tree_(tree), walls_(walls) {}
+  explicit Bead_ways(const Surface_tree& tree) : tree_(tree) {}
 
   Bead make_bead(Line_point point) const
   {
     Bead bead;
-    point.on_surface = walls_.closest(point.point, point.on_surface);
+    point.on_surface = tree_.closest_on_wall(point.point, point.on_surface);
     bead.depth = distance(point.point, point.on_surface);
     bead.point = point;
     return bead;
@@ -75,7 +74,6 @@ protected:
   }
 
   const Surface_tree& tree_;
-  const Wall_tree& walls_;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

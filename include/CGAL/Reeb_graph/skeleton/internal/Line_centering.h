@@ -33,11 +33,10 @@ public:
   Line_centering(const Sampled_graph& graph,
                  const Graph_chains& chains,
                  const Surface_tree& tree,
-                 const Wall_tree& walls,
                  Skeleton_lines& lines,
                  double smooth,
                  const Stage_progress& progress)
-    : Bead_lines(chains, tree, walls, lines, smooth)
+    : Bead_lines(chains, tree, lines, smooth)
   {
     run(progress);
     write(lines, graph.number_of_nodes());

@@ -36,11 +36,10 @@ public:
   // Steps of 0 are as the radii ask for.
   Line_sampling(const Graph_chains& chains,
                 const Surface_tree& tree,
-                const Wall_tree& walls,
                 Skeleton_lines& lines,
                 double spacing,
                 const Stage_progress& progress)
-    : Bead_ways(tree, walls),
+    : Bead_ways(tree),
       chains_(chains),
       lines_(lines),
       spacing_(spacing)

@@ -26,7 +26,6 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
-#include <CGAL/Reeb_graph/skeleton/internal/Wall_tree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -184,7 +183,6 @@ Component_skeleton make_component_skeleton(Component component,
   progress(0.2);
   const Surface_tree tree(component, options.are_borders_ends);
   progress(0.2);
-  const Wall_tree walls(component, options.are_borders_ends);
   std::vector<bool> is_border(graph.number_of_nodes(), false);
   for(Index node = 0; node != graph.number_of_nodes(); ++node)
     is_border[node] = options.are_borders_ends && component.is_apex(graph.vertex(node));
@@ -193,9 +191,9 @@ Component_skeleton make_component_skeleton(Component component,
   Skeleton_lines lines(graph, chains, component, options, are_distances, progress.part(0.4, 0.45));
   Inside_lines inside(graph, chains, tree, lines, result.is_self_intersecting, progress.part(0.45, 0.6));
   if(options.smooth > 0 && tree.has_area())
-    const Line_centering centering(graph, chains, tree, walls, lines, options.smooth, progress.part(0.6, 0.9));
+    const Line_centering centering(graph, chains, tree, lines, options.smooth, progress.part(0.6, 0.9));
   if(tree.has_area())
-    const Line_sampling sampling(chains, tree, walls, lines, spacing_of(component, options), progress.part(0.9, 0.97));
+    const Line_sampling sampling(chains, tree, lines, spacing_of(component, options), progress.part(0.9, 0.97));
   lines.join_nodes_at_one_point();
   inside.certify(progress.part(0.97, 1));
   result.number_of_contractible_loops = inside.loop_group().number_of_dependent;
