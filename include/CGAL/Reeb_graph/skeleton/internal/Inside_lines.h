@@ -40,7 +40,7 @@ public:
     : graph_(graph),
       chains_(chains),
       tree_(tree),
-      ways_(tree),
+      ways_(tree, progress),
       lines_(lines),
       progress_(progress),
       loops_(lines.ends())
@@ -129,24 +129,25 @@ private:
   // chains are led as that leads, which can wind as contours do, where there is less wrong with loops then.
   void let_loops_wind(bool is_self_intersecting)
   {
+    const Loop_tracing tracing(graph_, chains_, tree_);
     for(const Index chain : loops_.closing_chains())
-      curves_.add(chains_.contour_points(chain, chains_.chains()[chain].length / 2));
+      curves_.add(tracing.contour(chain, 0.5));
+    const Surface_curves contours = curves_;
     const Ways lines = polylines();
     Rows of_lines = count(lines);
     loop_group_ = loops_.group(of_lines);
     if(loop_group_.is_whole())
       return;
-    const Loop_tracing tracing(graph_, chains_, tree_);
     add_curves_along_cycles(tracing);
     of_lines = count(lines);
     loop_group_ = loops_.group(of_lines);
     if(loop_group_.is_whole())
       return;
     Ways ways = lines;
-    lead(tracing, loops_.chains_on_cycles(), std::vector<int>(ways.size(), 0), progress_.part(0.55, 0.75), ways);
+    lead(tracing, loops_.chains_on_cycles(), std::vector<int>(ways.size(), 0), progress_.part(0.55, 0.8), ways);
     Rows of_ways = count(ways);
     if(!is_self_intersecting && !loops_.group(of_ways).is_whole())
-      wind_ways(tracing, ways, of_ways);
+      wind_ways(tracing, contours, ways, of_ways);
     const Loop_group group = loops_.group(of_ways);
     if(!(group < loop_group_))
       return;
@@ -176,20 +177,11 @@ private:
 
   // Lets ways wind around the contours of closing chains, too. A loop of the graph can be one around which contours wind, as in a
   // thick pipe that fronts pass around before they pass along: then it goes around one of them.
-  void wind_ways(const Loop_tracing& tracing, Ways& ways, Rows& rows) const
+  void wind_ways(const Loop_tracing& tracing, const Surface_curves& contours, Ways& ways, Rows& rows) const
   {
     const std::vector<Index>& closing = loops_.closing_chains();
-    Ways around(ways.size());
-    for(std::size_t cycle = 0; cycle != closing.size(); ++cycle)
-    {
-      progress_.part(0.75, 0.9).report_step(cycle, closing.size());
-      around[closing[cycle]] = ways_.way_around(tracing.path_around(closing[cycle]));
-    }
-    const Rows of_around = count(around);
-    Rows added;
-    for(const Index chain : closing)
-      added.push_back(of_around[chain]);
-    const Winding_choice choice(loops_.linking_numbers(rows), added, progress_);
+    const Rows of_cycles = loops_.linking_numbers(rows);
+    const Winding_choice choice(of_cycles, numbers_of_turns(tracing, contours, of_cycles), progress_);
     std::vector<int> windings(ways.size(), 0);
     for(std::size_t cycle = 0; cycle != closing.size(); ++cycle)
       windings[closing[cycle]] = choice.windings()[cycle];
@@ -198,13 +190,55 @@ private:
       if(windings[chain] != 0)
         winding.push_back(chain);
     Ways wound(ways.size());
-    lead(tracing, winding, windings, progress_.part(0.9, 1), wound);
+    lead(tracing, winding, windings, progress_.part(0.8, 1), wound);
+    const Rows of_wound = count(wound);
     for(const Index chain : winding)
       if(!wound[chain].empty())
       {
         ways[chain] = std::move(wound[chain]);
-        add_multiple(rows[chain], of_around[chain], windings[chain]);
+        rows[chain] = of_wound[chain];
       }
+  }
+
+  // Turns right beneath contours of closing chains, and what each adds: it winds around another contour as its own contour does, and
+  // around a curve along a cycle as the way of that does around the contour, and once more where the curve passes the contour.
+  Rows numbers_of_turns(const Loop_tracing& tracing, const Surface_curves& contours, const Rows& of_cycles) const
+  {
+    const std::vector<Index>& closing = loops_.closing_chains();
+    double sum_of_lengths = 0;
+    for(const auto& chain : chains_.chains())
+      sum_of_lengths += chain.length;
+    Ways turns(lines_.lines().size());
+    for(const Index chain : closing)
+      if(chains_.chains()[chain].length > 1e-9 * sum_of_lengths) // Else contours can be the same points.
+      {
+        turns[chain] = tracing.contour(chain, 0.25);
+        turns[chain].push_back(turns[chain].front());
+      }
+    const Rows crossings = loops_.crossings(turns, contours, progress_);
+    Rows result;
+    for(std::size_t i = 0; i != closing.size(); ++i)
+    {
+      result.push_back(crossings[closing[i]]);
+      if(turns[closing[i]].empty())
+        continue;
+      Row of_curves = {{closing.size() + i, is_inward() ? 1 : -1}};
+      for(std::size_t k = 0; k != closing.size(); ++k)
+        if(const auto found = of_cycles[k].find(i); found != of_cycles[k].end())
+          add_multiple(of_curves, {{closing.size() + k, found->second}}, 1);
+      add_multiple(result.back(), of_curves, 1);
+    }
+    return result;
+  }
+
+  // Whether the normals of faces point inwards.
+  bool is_inward() const
+  {
+    const Mesh& mesh = graph_.mesh();
+    const auto f = std::find_if(mesh.faces().begin(), mesh.faces().end(),
+                                [&](auto face) { return tree_.inward_normal(face) != NULL_VECTOR; });
+    const auto [a, b, c] = tree_.corners(*f);
+    return tree_.inward_normal(*f) * cross_product(b - a, c - a) > 0;
   }
 
   // Gives as many chains as can be their lines back, as ways along the surface are long: those first whose ways are longest.

@@ -237,13 +237,20 @@ public:
     return result;
   }
 
-  // The contour of the first arc of a chain, around which a path winds once.
-  Face_path path_around(Index chain) const
+  // A contour of the longest arc of a chain, at a share of the way along that, in the direction in which paths wind.
+  std::vector<Point> contour(Index chain, double share) const
   {
-    const auto& piece = chains_.chains()[chain].pieces.front();
-    const std::vector<Mesh::Halfedge_index> contour = graph_.chain_and_end(piece.arc)[1];
-    const Face_path result = {mesh().face(contour.front()), contour};
-    return piece.is_upwards ? result : result.reversed(mesh());
+    const auto& pieces = chains_.chains()[chain].pieces;
+    const auto size = [&](const auto& piece) {
+      const auto& ends = graph_.ends(piece.arc);
+      return graph_.value(ends[1]) - graph_.value(ends[0]);
+    };
+    const auto& longest =
+      *std::max_element(pieces.begin(), pieces.end(), [&](const auto& p, const auto& q) { return size(p) < size(q); });
+    std::vector<Point> points = graph_.contour_points(longest.arc, share);
+    if(!longest.is_upwards)
+      std::reverse(points.begin(), points.end());
+    return points;
   }
 
   // A polygon on the surface along a chain.

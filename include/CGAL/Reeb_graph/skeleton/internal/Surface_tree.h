@@ -16,11 +16,14 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
 #else
 #include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #endif
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -62,7 +65,7 @@ public:
   // Distances are those from the surface without its openings.
   Surface_tree(const Filled_component& component, bool are_borders_openings) : mesh_(component.mesh)
   {
-    std::vector<Mesh::Face_index> all, walls;
+    std::vector<Mesh::Face_index> all;
     double volume = 0;
     const Point origin = mesh_.point(*mesh_.vertices().begin());
     for(const auto f : mesh_.faces())
@@ -74,16 +77,14 @@ public:
         continue;
       all.push_back(f);
       if(!(are_borders_openings && is_of_opening(component, f)))
-        walls.push_back(f);
+        walls_.push_back({to_rounded(a), to_rounded(b), to_rounded(c)});
     }
     is_inward_ = volume < 0;
     tree_.insert(all.begin(), all.end(), mesh_);
     tree_.build();
-    if(walls.size() != all.size() && !walls.empty())
-    {
-      walls_.insert(walls.begin(), walls.end(), mesh_);
-      walls_.build();
-    }
+    has_openings_ = walls_.size() != all.size() && !walls_.empty();
+    wall_tree_.insert(walls_.cbegin(), walls_.cend());
+    wall_tree_.build();
     const Bbox_3 box = CGAL::bbox_3(mesh_.points().begin(), mesh_.points().end());
     size_ = distance({box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()});
     for(const int axis : {1, 2})
@@ -114,7 +115,7 @@ public:
   bool has_area() const { return !tree_.empty(); }
 
   // Whether distances are those from less than the whole surface.
-  bool has_openings() const { return !walls_.empty(); }
+  bool has_openings() const { return has_openings_; }
 
   // Whether a line from a point in the direction of an axis, that along which the surface is least long, crosses the surface an
   // odd number of times. The line is moved by less than any number, so that it passes no edge: exact signs decide for every
@@ -145,10 +146,15 @@ public:
     return has_area() ? distance(p, closest_on_wall(p, hint)) : 0;
   }
 
-  // The point of the surface without openings that is closest to a point. The surface has area.
+  // The point of the surface without openings that is closest to a point, by rounded numbers: centering asks hundreds of
+  // times for each point. The surface has area.
   Point closest_on_wall(const Point& p, const Point& hint) const
   {
-    return walls_.empty() ? tree_.closest_point(p, hint) : walls_.closest_point(p);
+    if(walls_.empty())
+      return tree_.closest_point(p, hint);
+    const auto q = to_rounded(p);
+    const auto found = has_openings_ ? wall_tree_.closest_point(q) : wall_tree_.closest_point(q, to_rounded(hint));
+    return {found.x(), found.y(), found.z()};
   }
 
   // The point of the surface that is closest to a point, and its face. The surface has area.
@@ -319,12 +325,18 @@ public:
 
 private:
   typedef AABB_face_graph_triangle_primitive<Mesh> Primitive;
+  typedef Simple_cartesian<double> Rounded_kernel;
+  typedef std::vector<Rounded_kernel::Triangle_3> Walls;
 #if CGAL_VERSION_NR >= 1060000000
   typedef AABB_traits_3<Kernel, Primitive> Traits;
+  typedef AABB_traits_3<Rounded_kernel, AABB_triangle_primitive_3<Rounded_kernel, Walls::const_iterator>> Wall_traits;
 #else
   typedef AABB_traits<Kernel, Primitive> Traits;
+  typedef AABB_traits<Rounded_kernel, AABB_triangle_primitive<Rounded_kernel, Walls::const_iterator>> Wall_traits;
 #endif
   typedef AABB_tree<Traits> Tree;
+
+  static Rounded_kernel::Point_3 to_rounded(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
   // Counts the faces that a line crosses, as it descends a tree.
   class Crossings_of_line
@@ -475,7 +487,10 @@ private:
   }
 
   const Mesh& mesh_;
-  Tree tree_, walls_; // The second one is empty if there are no openings.
+  Tree tree_;
+  Walls walls_; // the surface without its openings
+  AABB_tree<Wall_traits> wall_tree_;
+  bool has_openings_ = false;
   bool is_inward_ = false;
   double size_ = 0; // of the bounding box
   int axis_ = 0;    // the shortest side of that

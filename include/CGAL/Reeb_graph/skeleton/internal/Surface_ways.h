@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
@@ -51,7 +52,12 @@ struct Face_path
 class Surface_ways
 {
 public:
-  explicit Surface_ways(const Surface_tree& tree) : tree_(tree), mesh_(tree.mesh()) {}
+  // A long way looks at the progress, so that it can be cancelled.
+  Surface_ways(const Surface_tree& tree, const Stage_progress& progress)
+    : tree_(tree),
+      mesh_(tree.mesh()),
+      progress_(progress)
+  {}
 
   // A way from a place to another one that does not cross the surface: beneath its faces, as close as need be, with
   // shortcuts. It is empty if there is none.
@@ -90,18 +96,6 @@ public:
     return raise_until_free(way, true) ? pulled(way) : std::vector<Point>();
   }
 
-  // A closed way along a path of faces that ends where it begins, in the same way.
-  std::vector<Point> way_around(const Face_path& path) const
-  {
-    std::vector<Sunk_place> way;
-    add_path(path, path.steps.size(), way);
-    if(way.empty() || !raise_until_free(way, true))
-      return {};
-    std::vector<Point> result = pulled(way);
-    result.push_back(result.front());
-    return result;
-  }
-
 private:
   // A place of a way, which can be brought nearer to where it has been on the surface, on an edge or in a face.
   struct Sunk_place
@@ -130,6 +124,7 @@ private:
     bool is_last_left_out = false;
     for(std::size_t i = 1; i + 1 < old.size(); ++i)
     {
+      look(i);
       is_last_left_out = !is_last_left_out && !tree_.is_met_by_triangle(old[i - 1], old[i], old[i + 1]);
       if(!is_last_left_out)
         way.push_back(old[i]);
@@ -148,10 +143,17 @@ private:
             || tree_.is_met_by_triangle(a.foot, b.foot, b.place.point, own));
   }
 
-  // Places beneath the centers of faces and the edges between them, no deeper than in the middle between the centers and what is
-  // seen from there, and not much deeper than the place before. No two are at one depth, as else a way that is pulled straight can
-  // touch edges of what is regular, and pass curves there by rounding. Where more steps than `most_turned` turn around a vertex, the
-  // way goes beneath that.
+  // Looks at the progress at some steps of a way.
+  void look(std::size_t step) const
+  {
+    if(step % 128 == 0)
+      progress_(0);
+  }
+
+  // Places beneath the edges between faces, and the centers of the first and the last one, no deeper than in the middle between these
+  // and what is seen from there, and not much deeper than the place before. No two are at one depth, as else a way that is pulled
+  // straight can touch edges of what is regular, and pass curves there by rounding. Where more steps than `most_turned` turn around
+  // a vertex, the way goes beneath that.
   void add_path(const Face_path& path, std::size_t most_turned, std::vector<Sunk_place>& way) const
   {
     const double golden_ratio = (std::sqrt(5.) - 1) / 2;
@@ -161,13 +163,9 @@ private:
       if(!(size > 0))
         return; // Faces without area have no side.
       const Vector down = inwards / size;
-      if(f == g || !(depth > 0))
-      {
-        const double reach = 4 * (depth > 0 ? depth : tree_.size()),
-                     clearance = tree_.clearance(p, down, {f, g}, reach);
-        // On the other side of what has no volume nothing is seen.
-        depth = clearance < reach || tree_.is_inside(p + reach / 2 * down) ? clearance / 2 : 1e-6 * tree_.size();
-      }
+      const double reach = 4 * (depth > 0 ? depth : tree_.size()), clearance = tree_.clearance(p, down, {f, g}, reach);
+      // On the other side of what has no volume nothing is seen.
+      depth = clearance < reach || tree_.is_inside(p + reach / 2 * down) ? clearance / 2 : 1e-6 * tree_.size();
       // Rays miss edges by rounding.
       while(depth > 1e-9 * tree_.size() && tree_.is_near(p + depth * down, 1e-6 * depth))
         depth /= 2;
@@ -178,6 +176,7 @@ private:
     add(tree_.center(path.begin), tree_.inward_normal(path.begin), path.begin, path.begin);
     for(std::size_t i = 0; i != path.steps.size(); ++i)
     {
+      look(i);
       if(const auto [v, number] = turn_from(path, i); number > most_turned)
       {
         const Vector down = tree_.inward_direction(v);
@@ -192,8 +191,9 @@ private:
       const Mesh::Face_index f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
       add(CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h))),
           tree_.inward_normal(f) + tree_.inward_normal(g), f, g);
-      add(tree_.center(g), tree_.inward_normal(g), g, g);
     }
+    const Mesh::Face_index last = path.end(mesh_);
+    add(tree_.center(last), tree_.inward_normal(last), last, last);
   }
 
   // The vertex around which most steps turn from one on, and how many do.
@@ -257,9 +257,12 @@ private:
     {
       std::vector<bool> is_bad(way.size(), false);
       for(std::size_t i = 0; i + 1 < way.size(); ++i)
+      {
+        look(i);
         if((has_moved[i] || has_moved[i + 1])
            && (tree_.is_crossed(way[i].place, way[i + 1].place) || (is_swept && is_met_between(way[i], way[i + 1]))))
           is_bad[i] = is_bad[i + 1] = true;
+      }
       if(std::find(is_bad.begin(), is_bad.end(), true) == is_bad.end())
         return true;
       for(std::size_t i = 0; i != way.size(); ++i)
@@ -335,6 +338,7 @@ private:
 
   const Surface_tree& tree_;
   const Mesh& mesh_;
+  const Stage_progress progress_;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

@@ -178,7 +178,9 @@ Component_skeleton make_component_skeleton(Component component,
   const std::size_t edges_less_vertices = mesh.num_edges() - mesh.num_vertices();
   result.genus = (2 + edges_less_vertices - mesh.num_faces()) / 2;
   result.number_of_loops = std::size_t(graph.number_of_arcs()) + 1 - graph.number_of_nodes();
+  progress(0.2);
   const Surface_tree tree(component, options.are_borders_ends);
+  progress(0.2);
   std::vector<bool> is_border(graph.number_of_nodes(), false);
   for(Index node = 0; node != graph.number_of_nodes(); ++node)
     is_border[node] = options.are_borders_ends && component.is_apex(graph.vertex(node));
