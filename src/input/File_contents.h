@@ -14,6 +14,7 @@
 #include <boost/core/noncopyable.hpp>
 #include <boost/endian/conversion.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
