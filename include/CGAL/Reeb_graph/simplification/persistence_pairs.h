@@ -20,6 +20,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <tuple>
 #include <vector>
