@@ -222,23 +222,13 @@ private:
       result.push_back(crossings[closing[i]]);
       if(turns[closing[i]].empty())
         continue;
-      Row of_curves = {{closing.size() + i, is_inward() ? 1 : -1}};
+      Row of_curves = {{closing.size() + i, tree_.is_inward() ? 1 : -1}};
       for(std::size_t k = 0; k != closing.size(); ++k)
         if(const auto found = of_cycles[k].find(i); found != of_cycles[k].end())
           add_multiple(of_curves, {{closing.size() + k, found->second}}, 1);
       add_multiple(result.back(), of_curves, 1);
     }
     return result;
-  }
-
-  // Whether the normals of faces point inwards.
-  bool is_inward() const
-  {
-    const Mesh& mesh = graph_.mesh();
-    const auto f = std::find_if(mesh.faces().begin(), mesh.faces().end(),
-                                [&](auto face) { return tree_.inward_normal(face) != NULL_VECTOR; });
-    const auto [a, b, c] = tree_.corners(*f);
-    return tree_.inward_normal(*f) * cross_product(b - a, c - a) > 0;
   }
 
   // Gives as many chains as can be their lines back, as ways along the surface are long: those first whose ways are longest.

@@ -102,6 +102,8 @@ public:
 
   double size() const { return size_; } // of the bounding box
 
+  bool is_inward() const { return is_inward_; } // whether the normals of faces point inwards
+
   // Of length 1, or the null vector if the face has no area.
   Vector inward_normal(Mesh::Face_index f) const
   {
