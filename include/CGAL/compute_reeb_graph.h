@@ -56,13 +56,72 @@ auto flatten_for_graph(const Threads& threads,
   }
 }
 
-// The stages. `mesh_of` tells by what the numbers of a complex lead back to descriptors.
+// The stages. `mesh_of` tells by what the numbers of a complex lead back to descriptors. Overloads for soups may come
+// later.
 template <class Flatten, class MeshOf, class ReebGraph, class NamedParameters>
 void run_pipeline(const Threads& threads,
                   const Flatten& flatten,
                   const MeshOf& mesh_of,
                   ReebGraph& graph,
-                  const NamedParameters& np);
+                  const NamedParameters& np)
+{
+  auto visitor_parameter = internal::parameter_or(np, internal_np::visitor, Default_visitor());
+  auto& visitor = internal::unwrap_reference(visitor_parameter);
+  const Progress progress(np);
+  const auto ties = internal::parameter_or(np, internal::ties, Ties::PERTURB);
+  const auto method = internal::parameter_or(np, internal::method, Default_method());
+  const bool are_degree_two_nodes_kept = internal::parameter_or(np, keep_degree_two_nodes, false);
+  const auto number_of_slabs = internal::parameter_or(np, internal::number_of_slabs, Default_number_of_slabs());
+  const auto place_map = parameters::get_parameter(np, vertex_place_map);
+  constexpr bool are_places_wanted = is_given<decltype(place_map)>;
+
+  progress.report(0);
+  visitor.begin_stage(Stage::FLATTEN);
+  auto [unchecked_complex, numbers, field] = flatten(threads);
+  const Vertex_order order(field.keys());
+  visitor.end_stage(Stage::FLATTEN);
+  progress.report(0.2);
+
+  visitor.begin_stage(Stage::CLASSIFY);
+  auto [complex, critical_vertices] = check_and_classify_vertices(threads, std::move(unchecked_complex), order);
+  visitor.critical_vertices(count_critical_vertices(critical_vertices));
+  visitor.end_stage(Stage::CLASSIFY);
+  progress.report(0.3);
+
+  visitor.begin_stage(Stage::ARCS);
+  const Stage_progress arcs_progress(progress, 0.3, 0.7);
+  Swept_arcs arcs;
+  Arc_of_vertex arc_of_vertex;
+  if constexpr(are_places_wanted)
+    arcs = find_arcs_and_locate_vertices(threads, complex, order, critical_vertices, arc_of_vertex, arcs_progress);
+  else
+    arcs = find_arcs(threads, complex, order, critical_vertices, method, number_of_slabs, arcs_progress);
+  progress.report(0.7);
+  const Flat_graph flat_graph =
+    reduce_arcs(threads, complex, order, critical_vertices, arcs, ties, are_degree_two_nodes_kept, are_places_wanted);
+  Place_of_vertex places;
+  if constexpr(are_places_wanted)
+    places = find_vertex_places(threads, complex, order, critical_vertices, arcs, arc_of_vertex, flat_graph, ties);
+  critical_vertices = Swept_vertices(); // The graph takes much memory.
+  arcs = Swept_arcs();
+  arc_of_vertex = Arc_of_vertex();
+  visitor.end_stage(Stage::ARCS);
+  progress.report(0.8);
+
+  // Not written aside and swapped: to swap graphs of Boost copies them.
+  visitor.begin_stage(Stage::WRITE);
+  internal::write_graph(threads, mesh_of(complex), complex, numbers, field, flat_graph, graph);
+  if constexpr(are_places_wanted)
+    write_places(places, numbers.vertices, place_map);
+  visitor.end_stage(Stage::WRITE);
+  progress.report_end();
+}
+
+#define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, POINT)                                                                     \
+  PREFIX template void write_graph(const Threads&, const Surface_mesh<POINT>&, const Surface_mesh_complex<POINT>&,     \
+                                   const Mesh_numbers<Surface_mesh<POINT>>&, const Keyed_field<double>&,               \
+                                   const Flat_graph&, Surface_graph<double>&);
+CGAL_REEB_GRAPH_FOR_POINTS(CGAL_REEB_GRAPH_WRITE_GRAPH)
 
 } // namespace Reeb_graph::internal
 
@@ -216,73 +275,6 @@ void compute_reeb_graph(const FaceListGraph& mesh,
   internal::run_pipeline(threads, flatten, mesh_of, graph, np);
 }
 
-template <class Flatten, class MeshOf, class ReebGraph, class NamedParameters>
-void Reeb_graph::internal::run_pipeline(const Threads& threads,
-                                        const Flatten& flatten,
-                                        const MeshOf& mesh_of,
-                                        ReebGraph& graph,
-                                        const NamedParameters& np)
-{
-  using Reeb_graph::Stage;
-  namespace stages = Reeb_graph::internal;
-
-  auto visitor_parameter = stages::parameter_or(np, internal_np::visitor, Reeb_graph::Default_visitor());
-  auto& visitor = stages::unwrap_reference(visitor_parameter);
-  const stages::Progress progress(np);
-  const auto ties = stages::parameter_or(np, stages::ties, Reeb_graph::Ties::PERTURB);
-  const auto method = stages::parameter_or(np, stages::method, stages::Default_method());
-  const bool are_degree_two_nodes_kept = stages::parameter_or(np, stages::keep_degree_two_nodes, false);
-  const auto number_of_slabs = stages::parameter_or(np, stages::number_of_slabs, stages::Default_number_of_slabs());
-  auto places = stages::choose_places(np);
-
-  progress.report(0);
-  visitor.begin_stage(Stage::FLATTEN);
-  auto [unchecked_complex, numbers, field] = flatten(threads);
-  const stages::Vertex_order order(field.keys());
-  visitor.end_stage(Stage::FLATTEN);
-  progress.report(0.2);
-
-  visitor.begin_stage(Stage::CLASSIFY);
-  using stages::check_and_classify_vertices; // That for soups may come later.
-  auto [complex, critical_vertices] = check_and_classify_vertices(threads, std::move(unchecked_complex), order);
-  visitor.critical_vertices(stages::count_critical_vertices(critical_vertices));
-  visitor.end_stage(Stage::CLASSIFY);
-  progress.report(0.3);
-
-  visitor.begin_stage(Stage::ARCS);
-  const stages::Stage_progress arcs_progress(progress, 0.3, 0.7);
-  stages::Swept_arcs critical_arcs;
-  if constexpr(places.are_wanted)
-    critical_arcs = places.find_arcs(threads, complex, order, critical_vertices, arcs_progress);
-  else
-    critical_arcs =
-      stages::find_arcs(threads, complex, order, critical_vertices, method, number_of_slabs, arcs_progress);
-  progress.report(0.7);
-  const stages::Flat_graph flat_graph = stages::reduce_arcs(threads, complex, order, critical_vertices, critical_arcs,
-                                                            ties, are_degree_two_nodes_kept, places.are_wanted);
-  places.find(threads, complex, order, critical_vertices, critical_arcs, flat_graph, ties);
-  critical_vertices = stages::Swept_vertices(); // The graph takes much memory.
-  critical_arcs = stages::Swept_arcs();
-  visitor.end_stage(Stage::ARCS);
-  progress.report(0.8);
-
-  // Not written aside and swapped: to swap graphs of Boost copies them.
-  visitor.begin_stage(Stage::WRITE);
-  stages::write_graph(threads, mesh_of(complex), complex, numbers, field, flat_graph, graph);
-  places.write(numbers.vertices);
-  visitor.end_stage(Stage::WRITE);
-  progress.report_end();
-}
-
-namespace Reeb_graph::internal {
-
-#define CGAL_REEB_GRAPH_WRITE_GRAPH(PREFIX, POINT)                                                                     \
-  PREFIX template void write_graph(const Threads&, const Surface_mesh<POINT>&, const Surface_mesh_complex<POINT>&,     \
-                                   const Mesh_numbers<Surface_mesh<POINT>>&, const Keyed_field<double>&,               \
-                                   const Flat_graph&, Surface_graph<double>&);
-CGAL_REEB_GRAPH_FOR_POINTS(CGAL_REEB_GRAPH_WRITE_GRAPH)
-
-} // namespace Reeb_graph::internal
 } // namespace CGAL
 
 #endif // CGAL_COMPUTE_REEB_GRAPH_H

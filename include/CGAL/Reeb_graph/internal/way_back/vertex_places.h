@@ -11,11 +11,9 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/Threads.h>
 #include <CGAL/Reeb_graph/internal/complex/flatten.h>
 #include <CGAL/Reeb_graph/internal/engine/find_arcs.h>
-#include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/options.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -64,79 +62,17 @@ Place_of_vertex find_vertex_places(const Threads& threads,
   return places;
 }
 
-// Finds nothing besides the graph, where no places of vertices are wanted.
-struct No_vertex_places
+// Writes the places to a property map.
+template <class VertexList, class PlaceMap>
+void write_places(const Place_of_vertex& places, const VertexList& vertices, const PlaceMap& map)
 {
-  static constexpr bool are_wanted = false;
-
-  template <class... Arguments>
-  void find(const Arguments&...) const
-  {}
-
-  template <class VertexList>
-  void write(const VertexList&) const
-  {}
-};
-
-// The places of all vertices, for a property map: their arcs are found with those of the graph.
-template <class PlaceMap>
-class Vertex_places_for_map
-{
-public:
-  static constexpr bool are_wanted = true;
-
-  explicit Vertex_places_for_map(const PlaceMap& map) : map_(map) {}
-
-  template <class Complex>
-  Swept_arcs find_arcs(const Threads& threads,
-                       const Complex& complex,
-                       const Vertex_order& order,
-                       const Swept_vertices& critical_vertices,
-                       const Stage_progress& progress)
+  using boost::put; // for a pointer, whatever has been included before
+  typedef typename boost::property_traits<PlaceMap>::value_type Place;
+  for(const Vertex_index v : places.keys())
   {
-    return find_arcs_and_locate_vertices(threads, complex, order, critical_vertices, arc_of_vertex_, progress);
+    if(places[v] != no_index)
+      put(map, vertices[v], static_cast<Place>(places[v]));
   }
-
-  template <class Complex>
-  void find(const Threads& threads,
-            const Complex& complex,
-            const Vertex_order& order,
-            const Swept_vertices& critical_vertices,
-            const Swept_arcs& critical_arcs,
-            const Flat_graph& graph,
-            Ties ties)
-  {
-    places_ =
-      find_vertex_places(threads, complex, order, critical_vertices, critical_arcs, arc_of_vertex_, graph, ties);
-    arc_of_vertex_ = Arc_of_vertex();
-  }
-
-  template <class VertexList>
-  void write(const VertexList& vertices) const
-  {
-    using boost::put; // for a pointer, whatever has been included before
-    typedef typename boost::property_traits<PlaceMap>::value_type Place;
-    for(const Vertex_index v : places_.keys())
-    {
-      if(places_[v] != no_index)
-        put(map_, vertices[v], static_cast<Place>(places_[v]));
-    }
-  }
-
-private:
-  const PlaceMap map_;
-  Arc_of_vertex arc_of_vertex_;
-  Place_of_vertex places_;
-};
-
-template <class NamedParameters>
-auto choose_places(const NamedParameters& np)
-{
-  const auto map = parameters::get_parameter(np, vertex_place_map);
-  if constexpr(is_given<decltype(map)>)
-    return Vertex_places_for_map(map);
-  else
-    return No_vertex_places();
 }
 
 } // namespace CGAL::Reeb_graph::internal
