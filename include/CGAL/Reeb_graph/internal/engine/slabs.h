@@ -115,14 +115,8 @@ public:
   bool is_contour(Tree_node node) const { return node.number() >= critical_vertices_->size(); }
   Tree_node contour_node(Side side, Contour_index contour) const
   {
-    return Tree_node(first_contour_node(side) + contour.number());
-  }
-
-  // The contour that a node is: its side and its name there.
-  Side side_of_contour(Tree_node node) const { return side_of(node.number() >= first_contour_node(Side::UPPER)); }
-  Contour_index contour_of_node(Tree_node node) const
-  {
-    return Contour_index(node.number() - first_contour_node(side_of_contour(node)));
+    const Index first = critical_vertices_->size() + (side == Side::UPPER ? number_of_contours(Side::LOWER) : 0);
+    return Tree_node(first + contour.number());
   }
 
   bool is_border_reached(Side side, Contour_index contour) const { return levels_[side]->is_border_reached(contour); }
@@ -148,11 +142,6 @@ public:
   }
 
 private:
-  Index first_contour_node(Side side) const
-  {
-    return critical_vertices_->size() + (side == Side::UPPER ? number_of_contours(Side::LOWER) : 0);
-  }
-
   bool is_outside(Side side, Vertex_index vertex) const
   {
     const Slab_index slab = (*slabs_of_vertices_)[vertex];
@@ -318,7 +307,8 @@ Swept_arcs glue_slabs(const Slicing<Complex>& slicing,
                       const Indexed_vector<Slab_index, Swept_arcs>& arcs_of_slabs,
                       Index number_of_critical_vertices)
 {
-  // The surface has the contours of all levels as nodes, behind its critical vertices.
+  // The surface has the contours of all levels as nodes, behind its critical vertices; those of a slab are some of them
+  // in a row.
   Plain_vector<Index> first_contours = {number_of_critical_vertices}; // by level
   for(const Bounding_level& level : slicing.levels())
     first_contours.push_back(checked_index(std::size_t(first_contours.back()) + level.number_of_contours()));
@@ -329,11 +319,11 @@ Swept_arcs glue_slabs(const Slicing<Complex>& slicing,
   for(const Slab_index i : arcs_of_slabs.keys())
   {
     const Slab<Complex> slab = slicing.slab(i);
+    const Index first_contour = first_contours[i == Slab_index(0) ? 0 : i.number() - 1];
     const auto node_of_surface = [&](Tree_node node) {
       if(!slab.is_contour(node))
         return node_of(slicing.critical_vertex(i, critical_vertex_of(node)));
-      const std::size_t level = slab.side_of_contour(node) == Side::UPPER ? i.number() : i.number() - 1;
-      return Tree_node(first_contours[level] + slab.contour_of_node(node).number());
+      return Tree_node(first_contour + (node.number() - slab.critical_vertices().size()));
     };
     for(const Swept_arc& arc : arcs_of_slabs[i])
     {
