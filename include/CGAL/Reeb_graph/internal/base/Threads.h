@@ -83,6 +83,16 @@ public:
                   [&](std::size_t, std::size_t begin, std::size_t end) { function(begin, end); });
   }
 
+  // Calls function(key) for the keys, or the numbers, from 0 to size - 1.
+  template <class Key, class Function>
+  void for_each(std::size_t size, const Function& function) const
+  {
+    for_each_block(size, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i != end; ++i)
+        function(Key(i));
+    });
+  }
+
   // The sum to which function(begin, end, sum) adds for the parts of the numbers from 0 to size - 1.
   template <class Sum, class Function>
   Sum sum_of_parts(std::size_t size, const Function& function) const

@@ -183,16 +183,10 @@ public:
   void sort(const Threads& threads, const Vertex_order& order)
   {
     Vector_of<Vertex_order::Key<Swept_index>> keys(size());
-    threads.for_each_block(keys.size(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i != end; ++i)
-        keys[i] = order.key(vertex(Swept_index(i)), Swept_index(i));
-    });
+    threads.for_each<Swept_index>(size(), [&](Swept_index i) { keys[i.number()] = order.key(vertex(i), i); });
     internal::sort(threads, keys.begin(), keys.end(), order);
     ascending_ = Plain_vector<Swept_index>(keys.size());
-    threads.for_each_block(keys.size(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i != end; ++i)
-        ascending_[i] = keys[i].name;
-    });
+    threads.for_each<std::size_t>(keys.size(), [&](std::size_t i) { ascending_[i] = keys[i].name; });
   }
 
   // All critical vertices, from the lowest to the highest.
@@ -334,7 +328,7 @@ public:
   Tree_node node_above(Cut_index cut) const { return Tree_node(number_of_other_nodes_ + 2 * cut.number() + 1); }
 
   bool is_cut_node(Tree_node node) const { return node.number() >= number_of_other_nodes_; }
-  Cut_index cut_of_node(Tree_node node) const { return Cut_index(place_of_node(node) / 2); }
+  Cut_index cut_of_node(Tree_node node) const { return Cut_index((node.number() - number_of_other_nodes_) / 2); }
 
   Swept_index critical_vertex(Cut_index cut) const { return critical_vertices_[cut]; }
   Tree_node sublevel_class(Cut_index cut) const { return sublevel_classes_[cut]; }
@@ -364,8 +358,6 @@ private:
       lowest_cuts_[Edge_index(edge)] = cut;
     few_lowest_cuts_.clear();
   }
-
-  Index place_of_node(Tree_node node) const { return node.number() - number_of_other_nodes_; }
 
   Index number_of_other_nodes_;
   Index number_of_edges_;

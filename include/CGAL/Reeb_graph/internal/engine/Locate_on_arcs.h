@@ -68,16 +68,10 @@ public:
   {
     typedef Vertex_order::Key<Vertex_index> Key;
     Vector_of<Key> keys(vertices_.size());
-    threads.for_each_block(keys.size(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i != end; ++i)
-        keys[i] = order_.key(vertices_[Query(i)], vertices_[Query(i)]);
-    });
+    threads.for_each<Query>(keys.size(), [&](Query i) { keys[i.number()] = order_.key(vertices_[i], vertices_[i]); });
     internal::sort(threads, keys.begin(), keys.end(), order_);
     find_bounds(keys);
-    threads.for_each_block(keys.size(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i != end; ++i)
-        vertices_[Query(i)] = keys[i].name;
-    });
+    threads.for_each<Query>(keys.size(), [&](Query i) { vertices_[i] = keys[i.number()].name; });
     for(const Side side : both_sides)
       classes_[side].reset(vertices_.size(), no_index);
   }
@@ -112,24 +106,22 @@ public:
   {
     arc_of_vertex_.assign(complex_.number_of_vertices(), no_index);
     constexpr std::size_t ahead = 16;
-    threads.for_each_block(vertices_.size(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i != end; ++i)
+    threads.for_each<Query>(vertices_.size(), [&](Query i) {
+      const Query later(i.number() + ahead);
+      if(vertices_.contains(later))
       {
-        if(i + ahead < end)
-        {
-          for(const Side side : both_sides)
-            prefetch_element(arcs_of_classes[side], classes_[side][Query(i + ahead)]);
-          prefetch_element(arc_of_vertex_, vertices_[Query(i + ahead)]);
-        }
-        Swept_arc_index arc = no_index;
         for(const Side side : both_sides)
-        {
-          const Tree_node node = classes_[side][Query(i)];
-          if(node != no_index)
-            arc = (std::min)(arc, arcs_of_classes[side][node]);
-        }
-        arc_of_vertex_[vertices_[Query(i)]] = arc;
+          prefetch_element(arcs_of_classes[side], classes_[side][later]);
+        prefetch_element(arc_of_vertex_, vertices_[later]);
       }
+      Swept_arc_index arc = no_index;
+      for(const Side side : both_sides)
+      {
+        const Tree_node node = classes_[side][i];
+        if(node != no_index)
+          arc = (std::min)(arc, arcs_of_classes[side][node]);
+      }
+      arc_of_vertex_[vertices_[i]] = arc;
     });
   }
 
@@ -221,7 +213,13 @@ public:
         set_class(side, critical_vertices_.vertex(critical), node_of(critical));
     arc_of_vertex_.assign(complex_.number_of_vertices(), no_index);
     threads.for_each_block(complex_.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
-      find_arcs_of_block(begin, end, arcs_of_classes);
+      Plain_vector<Vertex_index> passed;
+      for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
+      {
+        if(complex_.has_vertex(vertex))
+          arc_of_vertex_[vertex] = (std::min)(arcs_of_classes[Side::LOWER][find_class<Side::LOWER>(vertex, passed)],
+                                              arcs_of_classes[Side::UPPER][find_class<Side::UPPER>(vertex, passed)]);
+      }
     });
     for(const Swept_index critical : critical_vertices_.indices())
       arc_of_vertex_[critical_vertices_.vertex(critical)] = no_index;
@@ -298,18 +296,6 @@ private:
       links_[Side::UPPER][lower].set(higher.number() + 1);
     else
       set_class(Side::UPPER, lower, climb<Side::UPPER>(cuts.node_below(cut), lower));
-  }
-
-  void find_arcs_of_block(std::size_t begin, std::size_t end, const Arcs_of_classes& arcs_of_classes)
-  {
-    Plain_vector<Vertex_index> passed;
-    for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
-    {
-      if(!complex_.has_vertex(vertex))
-        continue;
-      arc_of_vertex_[vertex] = (std::min)(arcs_of_classes[Side::LOWER][find_class<Side::LOWER>(vertex, passed)],
-                                          arcs_of_classes[Side::UPPER][find_class<Side::UPPER>(vertex, passed)]);
-    }
   }
 
   template <Side side>

@@ -216,21 +216,19 @@ private:
   {
     constexpr Index ahead = 24;
     Indexed_vector<Tree_node, Ascending_step> first_steps(number_of_nodes, Ascending_step{no_index, no_index});
-    const auto find = [&](Sector_index begin, Sector_index end) {
-      for(const Sector_index i : Index_range(begin, end))
+    threads.for_each_block(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
+      const Sector_index first = critical_vertices_.first_sector(Swept_index(begin), Side::UPPER),
+                         last = critical_vertices_.first_sector(Swept_index(end), Side::UPPER);
+      for(const Sector_index i : Index_range(first, last))
       {
         const Sector_index later(i.number() + ahead);
-        if(later < end)
+        if(later < last)
           prefetch_element(first_steps, superlevel_classes[later]);
         const Link_sector& sector = critical_vertices_.sector(Side::UPPER, i);
         Ascending_step& step = first_steps[superlevel_classes[i]];
         if(step.edge == no_index || order_(step.target, sector.extreme_neighbor))
           step = {sector.edge, sector.extreme_neighbor};
       }
-    };
-    threads.for_each_block(critical_vertices_.size(), [&](std::size_t begin, std::size_t end) {
-      find(critical_vertices_.first_sector(Swept_index(begin), Side::UPPER),
-           critical_vertices_.first_sector(Swept_index(end), Side::UPPER));
     });
     return first_steps;
   }

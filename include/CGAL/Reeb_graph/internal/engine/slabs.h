@@ -221,15 +221,12 @@ private:
     for(std::size_t slab = 1; slab != number_of_slabs; ++slab)
       level_vertices.push_back(critical_vertices_.vertex(critical_vertices_.ascending()[first_of_slab(slab) - 1]));
     slabs_of_vertices_.reset(complex_.number_of_vertices(), Slab_index(0));
-    threads.for_each_block(slabs_of_vertices_.size(), [&](std::size_t begin, std::size_t end) {
-      for(const Vertex_index v : Index_range(Vertex_index(begin), Vertex_index(end)))
-      {
-        if(!complex_.has_vertex(v))
-          continue;
-        const auto level = std::partition_point(level_vertices.begin(), level_vertices.end(),
-                                                [&](Vertex_index level_vertex) { return order(level_vertex, v); });
-        slabs_of_vertices_[v] = Slab_index(static_cast<std::size_t>(level - level_vertices.begin()));
-      }
+    threads.for_each<Vertex_index>(slabs_of_vertices_.size(), [&](Vertex_index v) {
+      if(!complex_.has_vertex(v))
+        return;
+      const auto level = std::partition_point(level_vertices.begin(), level_vertices.end(),
+                                              [&](Vertex_index level_vertex) { return order(level_vertex, v); });
+      slabs_of_vertices_[v] = Slab_index(static_cast<std::size_t>(level - level_vertices.begin()));
     });
   }
 

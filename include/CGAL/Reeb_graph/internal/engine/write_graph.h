@@ -299,13 +299,10 @@ private:
       const Vertex_index first_of_a = first_vertex(a), first_of_b = first_vertex(b);
       return first_of_a != first_of_b ? order_(first_of_a, first_of_b) : a.edge < b.edge;
     };
-    threads_.for_each_block(graph_.nodes.size(), [&](std::size_t begin, std::size_t end) {
-      for(std::size_t node = begin; node != end; ++node)
-      {
-        const auto first = graph_.arcs.begin() + begins_of_arcs_[Node_index(node)].number();
-        const auto last = graph_.arcs.begin() + begins_of_arcs_[Node_index(node + 1)].number();
-        std::sort(first, last, is_before);
-      }
+    threads_.for_each<std::size_t>(graph_.nodes.size(), [&](std::size_t node) {
+      const auto first = graph_.arcs.begin() + begins_of_arcs_[Node_index(node)].number();
+      const auto last = graph_.arcs.begin() + begins_of_arcs_[Node_index(node + 1)].number();
+      std::sort(first, last, is_before);
     });
   }
 

@@ -52,12 +52,9 @@ Place_of_vertex find_vertex_places(const Threads& threads,
   Place_of_vertex places(complex.number_of_vertices(), no_index);
   for(const Swept_index critical : critical_vertices.indices())
     places[critical_vertices.vertex(critical)] = place_of_critical(critical);
-  threads.for_each_block(places.size(), [&](std::size_t begin, std::size_t end) {
-    for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
-    {
-      if(places[vertex] == no_index && complex.has_vertex(vertex))
-        places[vertex] = place_on_arc(vertex, arc_of_vertex[vertex]);
-    }
+  threads.for_each<Vertex_index>(places.size(), [&](Vertex_index vertex) {
+    if(places[vertex] == no_index && complex.has_vertex(vertex))
+      places[vertex] = place_on_arc(vertex, arc_of_vertex[vertex]);
   });
   return places;
 }
