@@ -174,11 +174,8 @@ private:
     for(const Entry& way : ways)
     {
       const Halfedge_index h = even_halfedge(Edge_index(way.second));
-      const Halfedge_index a = trees.find(triangle_of(h)), b = trees.find(triangle_of(opposite_of(h)));
-      if(a == b)
-        continue;
-      trees.link(a, b);
-      is_cut_[edge_of(h)] = false;
+      if(trees.unite(triangle_of(h), triangle_of(opposite_of(h))))
+        is_cut_[edge_of(h)] = false;
     }
   }
 

@@ -167,12 +167,9 @@ inline std::array<std::uint64_t, 2> count_borders(Exchange& exchange,
       {
         const Border_path below = upper.elements[upper.begins[slab] + i];
         const Border_path above = lower.elements[lower.begins[slab + 1] + i];
-        const Border_path root_below = loops.find(Border_path(first_paths[slab] + below.number()));
-        const Border_path root_above = loops.find(Border_path(first_paths[slab + 1] + above.number()));
-        if(root_below == root_above)
-          continue;
-        loops.link(root_below, root_above);
-        --loops_across;
+        if(loops.unite(Border_path(first_paths[slab] + below.number()),
+                       Border_path(first_paths[slab + 1] + above.number())))
+          --loops_across;
       }
   });
   const std::array<std::uint64_t, 2> own = {paths->number_of_edges, paths->number_of_loops + loops_across};

@@ -323,7 +323,13 @@ public:
   // Joins two sets, given by their roots; `root` is the root of both then.
   void link(Element old_root, Element root) { parents_[old_root] = root; }
 
-  void unite(Element a, Element b) { link(find(a), find(b)); }
+  // Joins the sets of two elements. Returns whether they were two.
+  bool unite(Element a, Element b)
+  {
+    const Element root_of_a = find(a), root_of_b = find(b);
+    link(root_of_a, root_of_b);
+    return root_of_a != root_of_b;
+  }
 
   // The roots of the sets, by element. The sets are gone then.
   Indexed_vector<Element, Element> take_roots()

@@ -115,12 +115,7 @@ private:
       });
       starts[node] = starts[graph_arcs[*begin].lower];
       for(; begin != end; ++begin)
-      {
-        const Index below = components.find(graph_arcs[*begin].lower), above = components.find(node);
-        is_closing[*begin] = below == above;
-        if(below != above)
-          components.link((std::max)(below, above), (std::min)(below, above));
-      }
+        is_closing[*begin] = !components.unite(node, graph_arcs[*begin].lower);
     }
     return is_closing;
   }

@@ -94,11 +94,8 @@ private:
 
   void join(Side side, Vertex_index vertex, Edge_index a, Edge_index b)
   {
-    const Edge_index root_of_a = sets_[side].find(a), root_of_b = sets_[side].find(b);
-    if(root_of_a == root_of_b)
-      return;
-    sets_[side].link(root_of_a, root_of_b);
-    --numbers_of_sectors_[vertex][side];
+    if(sets_[side].unite(a, b))
+      --numbers_of_sectors_[vertex][side];
   }
 
   const Simplicial_complex& complex_;

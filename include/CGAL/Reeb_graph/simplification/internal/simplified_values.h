@@ -389,11 +389,8 @@ bool is_simplified_graph(const ReebGraph& graph, const SimplifiedGraph& simplifi
       arcs.emplace_back(lower, upper);
       continue;
     }
-    const Index a = trees.find(static_cast<Index>(source(arc, graph))),
-                b = trees.find(static_cast<Index>(target(arc, graph)));
-    if(a == b)
+    if(!trees.unite(static_cast<Index>(source(arc, graph)), static_cast<Index>(target(arc, graph))))
       return false; // a loop
-    trees.link(a, b);
     --number_of_trees;
   }
   for(const auto arc : CGAL::make_range(edges(simplified)))

@@ -165,12 +165,11 @@ private:
     for(Index chain = 0; chain != all.size(); ++chain)
     {
       const auto& ends = all[chain];
-      if(parts.find(ends[0]) == parts.find(ends[1]))
+      if(!parts.unite(ends[0], ends[1]))
       {
         closing_.push_back(chain);
         continue;
       }
-      parts.unite(ends[0], ends[1]);
       for(const Index end : ends)
         arcs_of_[end].push_back(chain);
     }
