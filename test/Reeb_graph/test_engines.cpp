@@ -192,7 +192,8 @@ Surgery cut_loops(const Surface_mesh& mesh, const std::vector<double>& values, b
   stages::Loop_surgery<Complex> surgery(slab, order, upwards.tree(), downwards.tree());
   std::size_t number_of_cuts_at_multi_saddles = 0;
   bool is_longest_contour_cut = false;
-  std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Swept_index critical) {
+  const auto begin = std::make_reverse_iterator(ascending.end()), end = std::make_reverse_iterator(ascending.begin());
+  std::for_each(begin, end, [&](stages::Swept_index critical) {
     downwards.merge_at(critical);
     if(surgery.can_close_loop(critical))
       surgery.visit_loop_contours(

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <random>
 #include <utility>
 #include <vector>
@@ -303,7 +304,8 @@ double searched_edges(const Cells& cells, const std::vector<double>& values)
   stages::Cutting_sweep<Stage_complex> downwards(slab, order);
   downwards.find_path_ends(stages::Threads());
   stages::Loop_surgery<Stage_complex> surgery(slab, order, upwards.tree(), downwards.tree());
-  std::for_each(ascending.rbegin(), ascending.rend(), [&](stages::Swept_index critical) {
+  const auto begin = std::make_reverse_iterator(ascending.end()), end = std::make_reverse_iterator(ascending.begin());
+  std::for_each(begin, end, [&](stages::Swept_index critical) {
     downwards.merge_at(critical);
     if(surgery.can_close_loop(critical))
       surgery.visit_loop_contours(critical, [&](auto... cut) { downwards.cut(critical, cut...); });

@@ -13,6 +13,8 @@
 
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <cstddef>
 
 namespace CGAL::Reeb_graph::internal {
@@ -23,16 +25,7 @@ template <class Key, class Item>
 class Buckets
 {
 public:
-  template <class Iterator>
-  struct Range
-  {
-    Iterator first, last;
-
-    Iterator begin() const { return first; }
-    Iterator end() const { return last; }
-    std::size_t size() const { return static_cast<std::size_t>(last - first); }
-  };
-  typedef Range<const Item*> Bucket;
+  typedef Iterator_range<const Item*> Bucket;
 
   Buckets() = default;
 
@@ -57,7 +50,7 @@ public:
 
   std::size_t size() const { return items_.size(); }
 
-  Range<Item*> operator[](Key key)
+  Iterator_range<Item*> operator[](Key key)
   {
     return {items_.data() + first_items_[key], items_.data() + first_items_[Key(key.number() + 1)]};
   }

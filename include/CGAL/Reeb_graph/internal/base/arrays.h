@@ -127,8 +127,6 @@ public:
   typedef const T& const_reference;
   typedef T* iterator;
   typedef const T* const_iterator;
-  typedef std::reverse_iterator<iterator> reverse_iterator;
-  typedef std::reverse_iterator<const_iterator> const_reverse_iterator;
 
   Plain_vector() = default;
   explicit Plain_vector(std::size_t size) { resize(size); }
@@ -159,10 +157,6 @@ public:
   iterator end() { return static_cast<T*>(place_) + size_; }
   const_iterator begin() const { return static_cast<const T*>(place_); }
   const_iterator end() const { return static_cast<const T*>(place_) + size_; }
-  reverse_iterator rbegin() { return reverse_iterator(end()); }
-  reverse_iterator rend() { return reverse_iterator(begin()); }
-  const_reverse_iterator rbegin() const { return const_reverse_iterator(end()); }
-  const_reverse_iterator rend() const { return const_reverse_iterator(begin()); }
 
   T& operator[](std::size_t i) { return static_cast<T*>(place_)[i]; }
   const T& operator[](std::size_t i) const { return static_cast<const T*>(place_)[i]; }

@@ -89,8 +89,7 @@ public:
       make_ = nullptr; // It holds what the lists are made of.
       return result;
     });
-    const auto vertices = lists[Place_index(place)];
-    return {vertices.begin(), vertices.end()};
+    return lists[Place_index(place)];
   }
 
 private:
