@@ -13,7 +13,7 @@
 
 #include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Index.h>
-#include <CGAL/Reeb_graph/internal/base/requirements.h>
+#include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
 #include <CGAL/Reeb_graph/internal/drawing/Branch_order.h>
 #include <CGAL/Reeb_graph/internal/drawing/Value_scale.h>
 #include <CGAL/Reeb_graph/internal/graph/graph_loops.h>

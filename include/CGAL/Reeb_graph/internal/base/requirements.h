@@ -12,7 +12,6 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/internal/base/scalars.h>
-#include <CGAL/Reeb_graph/named_parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -180,26 +179,11 @@ struct Scalars_are_ordered
                 "a traits class with a Less_scalar that compares them.");
 };
 
-template <class Traits>
-struct Scalars_are_numbers : std::bool_constant<Scalar_conversion<Traits>::has_numbers>
-{
-  static_assert(
-    Scalars_are_numbers::value,
-    "The scalar values are not numbers, which this function needs. Pass as named parameter geom_traits, if it "
-    "takes that, a traits class with a member scalar_to_double_object() that makes numbers of them.");
-};
-
 template <class Mesh, class ScalarMap>
 using Mesh_with_scalars = std::conjunction<Mesh_is_face_list_graph<Mesh>, Vertex_map<ScalarMap, Mesh>>;
 
 template <class Mesh, class ScalarMap, class Traits>
 using Scalar_field = std::conjunction<Mesh_with_scalars<Mesh, ScalarMap>, Scalars_are_ordered<Traits>>;
-
-template <class Mesh, class ScalarMap, class Traits>
-using Mesh_with_numbers = std::conjunction<Mesh_with_scalars<Mesh, ScalarMap>, Scalars_are_numbers<Traits>>;
-
-template <class Mesh, class ScalarMap, class Traits>
-using Field_of_numbers = std::conjunction<Scalar_field<Mesh, ScalarMap, Traits>, Scalars_are_numbers<Traits>>;
 
 template <class Mesh>
 struct Mesh_can_be_refined : Has<Added_edge, Mesh>
@@ -303,41 +287,6 @@ struct Graph_is_of_these_scalars : std::is_assignable<Value_of_node<Graph>&, con
     Graph_is_of_these_scalars::value,
     "The graph is one for scalar values of another type: use CGAL::Reeb_graph_traits<Mesh, Scalar_map>::Graph.");
 };
-
-// The traits class for functions that see no more of a field than the values of the nodes: the named parameter
-// geom_traits, or else one that knows their type; another type if there are none, so that only the message says so.
-template <class Graph, class = void>
-struct Default_traits_of_nodes
-{
-  typedef int Scalar;
-};
-template <class Graph>
-struct Default_traits_of_nodes<Graph,
-                               std::enable_if_t<std::conjunction_v<Has<Vertices_of, Graph>, Has<Value_of_node, Graph>>>>
-{
-  typedef Value_of_node<Graph> Scalar;
-};
-
-template <class Graph, class NamedParameters>
-using Traits_of_nodes = Chosen_traits<Default_traits_of_nodes<Graph>, NamedParameters>;
-
-template <class Graph, class NamedParameters>
-auto choose_conversion_of_nodes(const NamedParameters& np)
-{
-  return Scalar_conversion<Traits_of_nodes<Graph, NamedParameters>>(choose_traits<Default_traits_of_nodes<Graph>>(np));
-}
-
-template <class Graph>
-struct Nodes_have_values : Has<Value_of_node, Graph>
-{
-  static_assert(Nodes_have_values::value,
-                "The nodes of the graph have no scalar values: their property needs a member `value`.");
-};
-
-// Values that are numbers, if need be by the named parameter geom_traits.
-template <class Graph, class NamedParameters>
-using Nodes_have_numbers =
-  std::conjunction<Nodes_have_values<Graph>, Scalars_are_numbers<Traits_of_nodes<Graph, NamedParameters>>>;
 
 template <class Graph, class Mesh, class Scalar>
 using Graph_of_field = std::conjunction<Augmented_reeb_graph<Graph>,

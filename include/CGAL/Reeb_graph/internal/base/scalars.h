@@ -11,16 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Real_embeddable_traits.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
-
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -38,59 +32,6 @@ struct Has_expression<std::void_t<Expression<T>>, Expression, T> : std::true_typ
 };
 template <template <class> class Expression, class T>
 using Has = Has_expression<void, Expression, T>;
-
-template <class Traits>
-using Scalar_to_double = decltype(std::declval<const Traits&>().scalar_to_double_object());
-template <class Traits>
-using Scalar_from_double = decltype(std::declval<const Traits&>().scalar_from_double_object());
-
-// The way from the values of a field to numbers and back: that of the traits class, else that of number types. Values
-// of any other type are not a number each.
-template <class Traits>
-class Scalar_conversion
-{
-  typedef typename Traits::Scalar Scalar;
-  static constexpr bool is_given = Has<Scalar_to_double, Traits>::value;
-  static constexpr bool is_number =
-    std::is_arithmetic_v<
-      Scalar> || std::is_same_v<typename Real_embeddable_traits<Scalar>::Is_real_embeddable, Tag_true>;
-
-public:
-  // Whether each value has a number.
-  static constexpr bool has_numbers = is_given || is_number;
-
-  explicit Scalar_conversion(const Traits& traits) : traits_(traits) {}
-
-  double to_double(const Scalar& value) const
-  {
-    if constexpr(is_given)
-      return traits_.scalar_to_double_object()(value);
-    else if constexpr(std::is_arithmetic_v<Scalar>)
-      return static_cast<double>(value);
-    else if constexpr(is_number)
-      return CGAL::to_double(value);
-    else
-      return std::numeric_limits<double>::quiet_NaN();
-  }
-
-  // The value of a number between two others; if the numbers of the field fall, integers are rounded up.
-  std::optional<Scalar> from_double(double number, bool is_falling) const
-  {
-    if constexpr(Has<Scalar_from_double, Traits>::value)
-      return traits_.scalar_from_double_object()(number);
-    else if constexpr(is_given)
-      return std::nullopt;
-    else if constexpr(std::is_integral_v<Scalar>)
-      return static_cast<Scalar>(is_falling ? std::ceil(number) : std::floor(number));
-    else if constexpr(is_number && std::is_constructible_v<Scalar, double>)
-      return static_cast<Scalar>(number);
-    else
-      return std::nullopt;
-  }
-
-private:
-  Traits traits_;
-};
 
 // Types that the standard library orders lexicographically by their elements, which std::apply() shows.
 template <class T>
