@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/exceptions.h>
 #include <CGAL/Reeb_graph/internal/base/Scalar_conversion.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph/simplification/internal/simplified_values.h>
@@ -89,12 +88,10 @@ double simplify_field(const FaceListGraph& mesh,
 {
   static_assert(!internal::is_given<decltype(parameters::get_parameter(np, internal_np::geom_traits))>,
                 "simplify_field() knows the order of operator< only: it takes no named parameter geom_traits.");
-  if(internal::parameter_or(np, internal::cancel_loops, false))
-    throw Parameter_error("loops of a field cannot be cancelled, but only those of a graph");
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
   static_assert(internal::are_met<internal::Field_of_numbers<FaceListGraph, ScalarMap, Traits>,
                                   internal::Writable_vertex_map<SimplifiedScalarMap, FaceListGraph>>);
-  return internal::write_simplified_field<Traits>(
+  return internal::write_simplified_field(
     mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto& progress) {
       std::pair<typename Traits::Graph, internal::Place_of_vertex> graph;
       graph.second = internal::compute_with_places(flat_field, graph.first, np, progress);
@@ -138,12 +135,10 @@ double simplify_field(const FaceListGraph& mesh,
                 "simplify_field() with a graph needs the named parameter vertex_place_map.");
   static_assert(!internal::is_given<decltype(parameters::get_parameter(np, internal_np::geom_traits))>,
                 "simplify_field() knows the order of operator< only: it takes no named parameter geom_traits.");
-  if(internal::parameter_or(np, internal::cancel_loops, false))
-    throw Parameter_error("loops of a field cannot be cancelled, but only those of a graph");
   typedef Reeb_graph_traits<FaceListGraph, ScalarMap> Traits;
   static_assert(internal::are_met<internal::Field_of_numbers<FaceListGraph, ScalarMap, Traits>,
                                   internal::Writable_vertex_map<SimplifiedScalarMap, FaceListGraph>>);
-  return internal::write_simplified_field<Traits>(
+  return internal::write_simplified_field(
     mesh, scalar_map, threshold, simplified_scalar_map, np, [&](const auto& flat_field, const auto&) {
       return std::pair<const ReebGraph&, internal::Place_of_vertex>(
         graph, internal::read_places(*flat_field.flat_values(mesh)->mesh,

@@ -501,7 +501,7 @@ auto simplified_values(FlatField& flat_field,
 
 // Writes them, and returns the largest difference. find_graph(flat field, progress) returns the given graph, or a
 // reference to it, and the places of the vertices there.
-template <class Traits, class Mesh, class ScalarMap, class SimplifiedScalarMap, class NamedParameters, class FindGraph>
+template <class Mesh, class ScalarMap, class SimplifiedScalarMap, class NamedParameters, class FindGraph>
 double write_simplified_field(const Mesh& mesh,
                               const ScalarMap& scalar_map,
                               double threshold,
@@ -509,6 +509,8 @@ double write_simplified_field(const Mesh& mesh,
                               const NamedParameters& np,
                               const FindGraph& find_graph)
 {
+  if(internal::parameter_or(np, cancel_loops, false))
+    throw Parameter_error("loops of a field cannot be cancelled, but only those of a graph");
   const Progress progress(np);
   progress.report(0);
   auto flat_field = make_flat_field(mesh, scalar_map, np);
