@@ -29,7 +29,7 @@ class Progress
 public:
   template <class NamedParameters>
   explicit Progress(const NamedParameters& np)
-    : callback_(internal::parameter_or(np, internal_np::callback, No_callback()))
+    : callback_(internal::parameter_or(np, internal_np::callback, std::function<bool(double)>()))
   {}
 
   void report(double fraction) const
@@ -45,21 +45,16 @@ public:
   void report_end() const { tell(1); }
 
 private:
-  struct No_callback
-  {
-    bool operator()(double) const { return true; }
-  };
-
   // Only the thread that the callback is known on calls it, and never with less than before, as stages run side by side.
   bool call(double fraction) const
   {
     if(std::this_thread::get_id() != thread_)
       return true;
     last_ = (std::max)(last_, fraction);
-    return callback_(last_);
+    return !callback_ || callback_(last_);
   }
 
-  std::function<bool(double)> callback_;
+  std::function<bool(double)> callback_; // empty if there is none
   std::thread::id thread_ = std::this_thread::get_id();
   mutable double last_ = 0;
 };
