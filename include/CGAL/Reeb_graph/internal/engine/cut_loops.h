@@ -155,7 +155,7 @@ private:
         if(!order_(neighbor, vertex))
           return;
         correct_components(neighbor, [vertex](const Link_sector& sector) { return sector.extreme_neighbor == vertex; });
-        if(is_on_known_path(neighbor, vertex))
+        if(path_ends_.is_known(neighbor) && path_ends_.next_vertex(neighbor) == vertex)
           correct_path_end(neighbor, corrected);
       });
       are_paths_walked_late_ = number_of_corrections_ >= critical_vertices_.size() || are_corrections_expensive();
@@ -209,12 +209,6 @@ private:
       critical_vertices_.prefetch(Swept_index(number - 1));
     if(const Index number = critical_numbers_[vertices[i + near_ahead]]; number != 0)
       critical_vertices_.prefetch_sectors(Swept_index(number - 1), Side::UPPER);
-  }
-
-  // Whether the end of a path that goes from `lower` to `higher` is known.
-  bool is_on_known_path(Vertex_index lower, Vertex_index higher) const
-  {
-    return path_ends_.is_known(lower) && path_ends_.next_vertex(lower) == higher;
   }
 
   // Corrects the end of the path from a vertex, once, as several edges may lead there.

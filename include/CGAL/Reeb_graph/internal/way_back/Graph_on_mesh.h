@@ -452,18 +452,6 @@ bool is_simplified_graph(const GraphOnMesh& on_mesh,
   return number_of_found == number_of_nodes;
 }
 
-// Checks that the graph is the exact one, or what that has been simplified to.
-template <class GraphOnMesh>
-void check_same_graph(const GraphOnMesh& on_mesh,
-                      const Flat_graph& flat_graph,
-                      const Simplified_places& simplified_places)
-{
-  const bool is_right = simplified_places ? is_simplified_graph(on_mesh, flat_graph, *simplified_places)
-                                          : is_same_graph(on_mesh, flat_graph);
-  if(!is_right)
-    throw Graph_mismatch_error();
-}
-
 // The number of a vertex that may be one of another mesh.
 template <class GraphOnComplex>
 Vertex_index checked_number(const GraphOnComplex& on_complex, typename GraphOnComplex::vertex_descriptor v)
@@ -540,7 +528,10 @@ VertexPlaces locate_vertices(const Threads& threads,
   else
   {
     const auto check_graph = [&](const Flat_graph& flat_graph) {
-      check_same_graph(on_mesh, flat_graph, simplified_places);
+      const bool is_right = simplified_places ? is_simplified_graph(on_mesh, flat_graph, *simplified_places)
+                                              : is_same_graph(on_mesh, flat_graph);
+      if(!is_right)
+        throw Graph_mismatch_error();
     };
     *place_of_vertex =
       find_places(threads, on_mesh.complex(), on_mesh.order(), ties, are_degree_two_nodes_kept, check_graph, progress);
