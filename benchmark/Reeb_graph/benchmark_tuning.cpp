@@ -128,7 +128,7 @@ int main(int argc, char* argv[])
 {
   const std::string name = argc > 1 ? argv[1] : "nothing";
   const std::size_t number_of_vertices = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1000000;
-  const bool is_complete = CGAL::Reeb_graph::internal::is_left_out(CGAL::Reeb_graph::internal::Tuned_part::NONE);
+  const bool is_complete = !CGAL::Reeb_graph::internal::is_used(CGAL::Reeb_graph::internal::Tuned_part::NONE);
   benchmark::Input input("genus-3", number_of_vertices), across("across", number_of_vertices),
     shuffled("genus-3", number_of_vertices, benchmark::Mesh_order::SHUFFLED);
   std::vector<benchmark::Column> columns = {{"", "", 28}};

@@ -20,6 +20,7 @@
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph_traits.h>
 
+#include <functional>
 #include <utility>
 
 namespace CGAL {
@@ -29,7 +30,7 @@ namespace Reeb_graph::internal {
 template <class FaceListGraph, class Scalar>
 struct Checked_surface
 {
-  Checked_complex<Complex_of_t<FaceListGraph>> complex;
+  std::reference_wrapper<const Complex_of_t<FaceListGraph>> complex;
   const Mesh_numbers<FaceListGraph>& numbers;
   const Keyed_field<Scalar>& field;
 };
@@ -46,7 +47,7 @@ auto flatten_for_graph(const Threads& threads,
   if constexpr(Is_flat_field<ScalarMap, Scalar>::value)
   {
     const auto& [flat_mesh, field] = *flat_values_of(scalar_map, mesh, traits); // which the map holds
-    return Checked_surface<FaceListGraph, Scalar>{{flat_mesh->complex}, flat_mesh->numbers, field};
+    return Checked_surface<FaceListGraph, Scalar>{flat_mesh->complex, flat_mesh->numbers, field};
   }
   else
   {

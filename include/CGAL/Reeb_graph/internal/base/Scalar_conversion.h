@@ -17,7 +17,6 @@
 
 #include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
 
 #include <cmath>
 #include <limits>
@@ -40,8 +39,7 @@ class Scalar_conversion
   typedef typename Traits::Scalar Scalar;
   static constexpr bool is_given = Has<Scalar_to_double, Traits>::value;
   static constexpr bool is_number =
-    std::is_arithmetic_v<
-      Scalar> || std::is_same_v<typename Real_embeddable_traits<Scalar>::Is_real_embeddable, Tag_true>;
+    std::is_arithmetic_v<Scalar> || Real_embeddable_traits<Scalar>::Is_real_embeddable::value;
 
 public:
   // Whether each value has a number.

@@ -25,15 +25,14 @@ enum class Tuned_part
   STARS_AHEAD
 };
 
-constexpr bool is_left_out(Tuned_part part)
+constexpr bool is_used(Tuned_part part)
 {
 #ifdef CGAL_REEB_GRAPH_LEFT_OUT
-  return part == Tuned_part::CGAL_REEB_GRAPH_LEFT_OUT;
+  return part != Tuned_part::CGAL_REEB_GRAPH_LEFT_OUT;
 #else
-  return part == Tuned_part::NONE;
+  return part != Tuned_part::NONE;
 #endif
 }
-constexpr bool is_used(Tuned_part part) { return !is_left_out(part); }
 
 } // namespace CGAL::Reeb_graph::internal
 

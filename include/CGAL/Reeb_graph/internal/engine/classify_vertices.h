@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -337,19 +338,13 @@ Classified_complex<Complex> check_and_classify_vertices(const Threads& threads,
   return {std::move(complex), std::move(critical_vertices)};
 }
 
-// A complex that has been checked before.
-template <class Complex>
-struct Checked_complex
-{
-  const Complex& complex;
-};
-
+// A complex that is given by reference has been checked before.
 template <class Complex>
 Classified_complex<const Complex&> check_and_classify_vertices(const Threads& threads,
-                                                               Checked_complex<Complex> checked,
+                                                               std::reference_wrapper<const Complex> checked,
                                                                const Vertex_order& order)
 {
-  return {checked.complex, classify_vertices(threads, checked.complex, order)};
+  return {checked, classify_vertices(threads, checked.get(), order)};
 }
 
 #define CGAL_REEB_GRAPH_CLASSIFY_VERTICES(PREFIX, COMPLEX)                                                             \
