@@ -213,13 +213,7 @@ public:
         set_class(side, critical_vertices_.vertex(critical), node_of(critical));
     arc_of_vertex_.assign(complex_.number_of_vertices(), no_index);
     threads.for_each_block(complex_.number_of_vertices(), [&](std::size_t begin, std::size_t end) {
-      Plain_vector<Vertex_index> passed;
-      for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
-      {
-        if(complex_.has_vertex(vertex))
-          arc_of_vertex_[vertex] = (std::min)(arcs_of_classes[Side::LOWER][find_class<Side::LOWER>(vertex, passed)],
-                                              arcs_of_classes[Side::UPPER][find_class<Side::UPPER>(vertex, passed)]);
-      }
+      find_arcs_of_block(begin, end, arcs_of_classes);
     });
     for(const Swept_index critical : critical_vertices_.indices())
       arc_of_vertex_[critical_vertices_.vertex(critical)] = no_index;
@@ -296,6 +290,17 @@ private:
       links_[Side::UPPER][lower].set(higher.number() + 1);
     else
       set_class(Side::UPPER, lower, climb<Side::UPPER>(cuts.node_below(cut), lower));
+  }
+
+  void find_arcs_of_block(std::size_t begin, std::size_t end, const Arcs_of_classes& arcs_of_classes)
+  {
+    Plain_vector<Vertex_index> passed;
+    for(const Vertex_index vertex : Index_range(Vertex_index(begin), Vertex_index(end)))
+    {
+      if(complex_.has_vertex(vertex))
+        arc_of_vertex_[vertex] = (std::min)(arcs_of_classes[Side::LOWER][find_class<Side::LOWER>(vertex, passed)],
+                                            arcs_of_classes[Side::UPPER][find_class<Side::UPPER>(vertex, passed)]);
+    }
   }
 
   template <Side side>
