@@ -236,11 +236,8 @@ private:
       Line_point point = make_point(chain, place);
       if(!line.empty())
         add_between(chain, Line_point(line.back()), point, 0, line);
-      else
-        add_beside_tip(chain, ends[0], point, true, line);
       line.push_back(point);
     }
-    add_beside_tip(chain, ends[1], Line_point(line.back()), false, line);
     drop_tops(chains_.chains()[chain], line);
     return line;
   }
@@ -261,37 +258,6 @@ private:
     add_between(chain, a, middle, depth + 1, line);
     line.push_back(middle);
     add_between(chain, middle, b, depth + 1, line);
-  }
-
-  // Goes on towards an end with one chain until that is about as near as the contour is wide.
-  void add_beside_tip(Index chain, Index node, const Line_point& sample, bool is_first, Line& line) const
-  {
-    if(nodes_.at(node).kind == Line_end::JUNCTION)
-      return;
-    const double end = is_first ? 0 : chains_.chains()[chain].length;
-    Line added;
-    Line_point last = sample;
-    for(int depth = 0; depth != greatest_depth; ++depth)
-    {
-      const double rest =
-        are_values_distances_ ? std::abs(last.place - end) : distance(last.point, nodes_.at(node).point.point);
-      if(!(rest > 2 * (std::max)(last.radius, least_radius_)))
-        break;
-      const Line_point nearer = make_point(chain, (last.place + end) / 2);
-      Line between;
-      if(is_first)
-        add_between(chain, nearer, last, depth, between);
-      else
-        add_between(chain, last, nearer, depth, between);
-      if(is_first)
-        std::reverse(between.begin(), between.end());
-      added.insert(added.end(), between.begin(), between.end());
-      added.push_back(nearer);
-      last = nearer;
-    }
-    if(is_first)
-      std::reverse(added.begin(), added.end());
-    line.insert(line.end(), added.begin(), added.end());
   }
 
   // At a tip, contours shrink to a point of the surface, away from the axis: those nearer than their own radius go. So do
