@@ -11,8 +11,6 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <boost/type_traits/is_detected.hpp>
-
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -24,8 +22,16 @@
 namespace CGAL::Reeb_graph::internal {
 
 // Whether an expression compiles with a type.
+template <class Void, template <class> class Expression, class T>
+struct Has_expression : std::false_type
+{
+};
 template <template <class> class Expression, class T>
-using Has = boost::is_detected<Expression, T>;
+struct Has_expression<std::void_t<Expression<T>>, Expression, T> : std::true_type
+{
+};
+template <template <class> class Expression, class T>
+using Has = Has_expression<void, Expression, T>;
 
 // Types that the standard library orders lexicographically by their elements, which std::apply() shows.
 template <class T>
