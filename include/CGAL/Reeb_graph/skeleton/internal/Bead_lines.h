@@ -313,7 +313,7 @@ protected:
     return i == 0 ? of_ends[0] : i + 1 == line.size() ? of_ends[1] : beads_[line[i]].point.place;
   }
 
-  // A bead between two of a line.
+  // A bead between two of a line. It goes on at their pace.
   Bead between(const Numbers& line, std::size_t i, double t, const std::array<double, 2>& of_ends) const
   {
     const Bead &a = beads_[line[i]], &b = beads_[line[i + 1]];
@@ -321,7 +321,9 @@ protected:
     point.point = a.point.point + t * (b.point.point - a.point.point);
     point.radius = (1 - t) * a.point.radius + t * b.point.radius;
     point.place = (1 - t) * place(line, i, of_ends) + t * place(line, i + 1, of_ends);
-    return make_bead(point);
+    Bead bead = make_bead(point);
+    bead.pace = std::clamp((std::max)(a.pace, b.pace), 0.05, bead.pace);
+    return bead;
   }
 
   // Leaves points out that are near to a straight line (D. Douglas and T. Peucker 1973), among so many at a time, as a way is

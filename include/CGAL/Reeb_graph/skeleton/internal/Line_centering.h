@@ -70,8 +70,7 @@ private:
       for(const bool is_last : {false, true})
         move_tip(line.beads, is_last);
       leave_out_folds_and_tops(line.beads);
-      for(int round = 0; round != 2 * rounds_between; ++round)
-        straighten(line.beads);
+      straighten(line.beads);
       decimate(line.beads);
       for(const bool is_last : {false, true})
         go_on_before_tip(line, is_last);
@@ -153,22 +152,29 @@ private:
     beads = line;
   }
 
-  // Puts points nearer to the straight line between their neighbors where that is not nearer to the surface: there is room in
+  // Puts points nearer to the straight line between their neighbors where that is hardly nearer to the surface: there is room in
   // flat parts, and for what noise has bent.
   void straighten(const Numbers& line)
   {
-    for(std::size_t i = 1; i + 1 < line.size(); ++i)
-    {
-      Bead& bead = beads_[line[i]];
-      const Bead &before = beads_[line[i - 1]], &after = beads_[line[i + 1]];
-      Line_point middle = bead.point;
-      middle.point = CGAL::midpoint(middle.point, foot(line, i - 1, i + 1, i));
-      if(!(before.depth > 0 && after.depth > 0) || distance(middle.point, bead.point.point) < least_share * bead.depth)
-        continue;
-      const Bead moved = make_bead(middle);
-      if(moved.depth >= bead.depth && is_free(before, bead, moved.place()) && is_free(after, bead, moved.place()))
-        bead = moved;
-    }
+    std::vector<double> least;
+    for(const std::size_t bead : line)
+      least.push_back(0.97 * beads_[bead].depth);
+    for(int round = 0; round != 4; ++round)
+      for(std::size_t i = 1; i + 1 < line.size(); ++i)
+        straighten(line, i, least[i]);
+  }
+
+  void straighten(const Numbers& line, std::size_t i, double least)
+  {
+    Bead& bead = beads_[line[i]];
+    const Bead &before = beads_[line[i - 1]], &after = beads_[line[i + 1]];
+    Line_point middle = bead.point;
+    middle.point = CGAL::midpoint(middle.point, foot(line, i - 1, i + 1, i));
+    if(!(before.depth > 0 && after.depth > 0) || distance(middle.point, bead.point.point) < least_share * bead.depth)
+      return;
+    const Bead moved = make_bead(middle);
+    if(moved.depth >= least && is_free(before, bead, moved.place()) && is_free(after, bead, moved.place()))
+      bead = moved;
   }
 
   // Makes two junctions one that are nearer to each other than the surface is: the lines of one go on to the other.
@@ -440,7 +446,7 @@ private:
         return is_free(beads_[neighbor], bead, next.place());
       });
     bead.is_settled = !is_better && bead.pace < 0.04;
-    bead.pace = is_over_ridge || !is_better ? bead.pace / 2 : (std::min)(1.4 * bead.pace, 1.);
+    bead.pace = (std::min)((!is_better ? 0.5 : is_over_ridge ? 0.7 : 1.4) * bead.pace, 1.);
     if(!is_better)
       return;
     bead.way += distance(next.point.point, bead.point.point) / bead.depth;
@@ -485,7 +491,7 @@ private:
 
   static constexpr int most_turns = 12, rounds_between = 5;
   static constexpr double way_of_rest = 0.05;  // by depths, in a turn
-  static constexpr double least_share = 0.003; // of the depth, in a step
+  static constexpr double least_share = 0.005; // of the depth, in a step
   static constexpr double bending = 0.1;
 };
 

@@ -331,11 +331,27 @@ private:
   typedef std::vector<Rounded_kernel::Triangle_3> Walls;
 #if CGAL_VERSION_NR >= 1060000000
   typedef AABB_traits_3<Kernel, Primitive> Traits;
-  typedef AABB_traits_3<Rounded_kernel, AABB_triangle_primitive_3<Rounded_kernel, Walls::const_iterator>> Wall_traits;
+  typedef AABB_traits_3<Rounded_kernel, AABB_triangle_primitive_3<Rounded_kernel, Walls::const_iterator>> Any_traits;
 #else
   typedef AABB_traits<Kernel, Primitive> Traits;
-  typedef AABB_traits<Rounded_kernel, AABB_triangle_primitive<Rounded_kernel, Walls::const_iterator>> Wall_traits;
+  typedef AABB_traits<Rounded_kernel, AABB_triangle_primitive<Rounded_kernel, Walls::const_iterator>> Any_traits;
 #endif
+  // In the middle of a tube, all that is around is about as far: of two triangles in three, the plane tells that it is farther.
+  struct Wall_traits : Any_traits
+  {
+    auto closest_point_object() const
+    {
+      return [this](const auto& p, const auto& wall, const auto& bound) {
+        const Rounded_kernel::Triangle_3& triangle = *wall.id();
+        const auto u = triangle[1] - triangle[0], v = triangle[2] - triangle[0], normal = cross_product(u, v);
+        const double height = normal * (p - triangle[0]), square = normal.squared_length();
+        const bool is_sliver = square < 1e-12 * u.squared_length() * v.squared_length();
+        return !is_sliver && height * height > (1 + 1e-6) * square * squared_distance(p, bound)
+               ? bound
+               : Any_traits::closest_point_object()(p, wall, bound);
+      };
+    }
+  };
   typedef AABB_tree<Traits> Tree;
 
   static Rounded_kernel::Point_3 to_rounded(const Point& p) { return {p.x(), p.y(), p.z()}; }
