@@ -116,6 +116,8 @@ BOOST_AUTO_TEST_CASE(quadrupeds_have_their_ends) { check_bodies(limbed_bodies::q
 
 BOOST_AUTO_TEST_CASE(short_legs_have_their_ends) { check_bodies(limbed_bodies::short_legged, 40, 1); }
 
+BOOST_AUTO_TEST_CASE(trunks_of_thin_branches_have_their_ends) { check_bodies(limbed_bodies::thin_branched, 90, 0); }
+
 BOOST_AUTO_TEST_CASE(ends_are_there_from_any_start) { check_bodies(limbed_bodies::short_legged, 40, 2, true); }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -193,6 +193,23 @@ inline Body short_legged(std::size_t seed)
   return body;
 }
 
+// A thin branch on a thick trunk that is not much longer than a way around it.
+inline Body thin_branched(std::size_t seed)
+{
+  Dice dice(seed);
+  Body body;
+  body.name = "thin branch";
+  body.blend = 0.03;
+  const double half = dice.in(1.8, 3), radius = dice.in(0.2, 0.4), lean = dice.in(1.05, 1.57),
+               length = dice.in(2.5, 3.5), x = half * dice.in(-0.3, 0.3);
+  body.cell_size = std::min(0.2, radius / 1.1);
+  body.tubes.push_back({{-half, 0, 0}, {half, 0, 0}, 1, 1});
+  for(const double side : {-1., 1.})
+    body.ends.push_back({{side * (half + 1), 0, 0}, 1.6});
+  body.add_limb({{x, 0, 0}, {x + length * std::cos(lean), 0, length * std::sin(lean)}}, radius, radius);
+  return body;
+}
+
 } // namespace limbed_bodies
 
 #endif // CGAL_REEB_GRAPH_TEST_LIMBED_BODIES_H

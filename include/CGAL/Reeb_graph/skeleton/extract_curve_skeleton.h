@@ -203,8 +203,9 @@ void add_component(const Reading& reading,
 ///   \cgalParamNBegin{scalar_map}
 ///     \cgalParamDescription{a scalar field, whose contours give the lines, in place of distances from a tip}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptors as key type and numbers as value type}
-///     \cgalParamDefault{none: the distances from a tip of each component: the vertex that is farthest, along edges, from the
-///                       one that is farthest from the centroid}
+///     \cgalParamDefault{none: the distances from a tip of each component. Of the vertex that is farthest, along edges, from the
+///                       one that is farthest from the centroid, and the vertex that is farthest from that, it is the second
+///                       one, or the first one where only that is the blunt end of a thick limb.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{pruning_ratio}
 ///     \cgalParamDescription{A branch goes if its persistence is below this share of its own radius where it leaves the

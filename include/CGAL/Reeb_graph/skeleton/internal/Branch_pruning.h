@@ -276,7 +276,7 @@ private:
         walk_.step();
       if(!std::isfinite(walk_.next_distance()) || walk_.longest_edge() >= fineness * most)
         return false;
-      if(walk_.longest_edge() < fineness * d && walk_.width_by_distance() < 1.6)
+      if(walk_.longest_edge() < fineness * d && walk_.width_by_distance() < Edge_walk::width_of_limb)
         return true;
     }
     return false;

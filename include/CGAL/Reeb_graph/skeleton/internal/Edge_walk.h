@@ -43,16 +43,17 @@ public:
   }
 
   Mesh::Vertex_index last() const { return last_; }
+  double passed() const { return distances_[last_]; }
 
   // The longest edge at a vertex that has been passed.
   double longest_edge() const { return longest_edge_; }
 
-  // Whether there was a further vertex.
-  bool step()
+  // Passes the next vertex, if there is one.
+  void step()
   {
     drop_passed();
     if(front_.empty())
-      return false;
+      return;
     last_ = front_.front().second;
     pop();
     const double passed = distances_[last_];
@@ -76,7 +77,6 @@ public:
       }
       h = mesh_.opposite(mesh_.next(h));
     } while(h != first);
-    return true;
   }
 
   // How far the next vertex is, infinite if there is none.
@@ -106,6 +106,8 @@ public:
     }
     return 2 * radius * static_cast<double>(next.size()) / sum;
   }
+
+  static constexpr double width_of_limb = 1.6; // by distance: at most
 
 private:
   typedef std::pair<double, Mesh::Vertex_index> Entry;

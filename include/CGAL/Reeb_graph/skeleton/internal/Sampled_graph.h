@@ -56,14 +56,27 @@ inline Mesh::Vertex_index farthest_from_centroid(const Mesh& mesh)
   });
 }
 
-// The vertex that is farthest from another one along edges.
-inline Mesh::Vertex_index farthest_along_edges(const Mesh& mesh, Mesh::Vertex_index from)
+// An end of a longest way along edges: the second one that is found or, where that is the tip of a thin limb, and the first one
+// the blunt end of a thick one, the first one. A front from a thin limb comes to a thick one from a side.
+inline Mesh::Vertex_index find_tip(const Mesh& mesh, const Stage_progress& progress)
 {
   Edge_walk walk(mesh);
-  walk.start(from);
-  while(walk.step())
-    ;
-  return walk.last();
+  const auto go = [&](Mesh::Vertex_index from, double most) {
+    walk.start(from);
+    while(walk.next_distance() < most)
+      walk.step();
+    return walk.last();
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto first = go(farthest_from_centroid(mesh), infinity);
+  progress(0.5);
+  const auto second = go(first, infinity);
+  const double size = walk.passed();
+  const auto is_limb_from = [&](Mesh::Vertex_index v, double share) {
+    go(v, share * size);
+    return walk.width_by_distance() < Edge_walk::width_of_limb;
+  };
+  return is_limb_from(second, 0.1) && !is_limb_from(first, 0.1) && is_limb_from(first, 0.25) ? first : second;
 }
 
 // The apex of the border that a vertex is on, or else the vertex.
@@ -109,13 +122,9 @@ inline Mesh::Vertex_index write_distances(Filled_component& component,
                                           const Stage_progress& progress)
 {
   Mesh& mesh = component.mesh;
-  progress(0);
-  auto tip = farthest_along_edges(mesh, farthest_from_centroid(mesh));
-  progress(0.15);
-  tip = farthest_along_edges(mesh, tip);
+  auto tip = find_tip(mesh, progress.part(0, 0.3));
   if(are_borders_ends)
     tip = apex_beside(component, tip);
-  progress(0.3);
   compute_geodesic_field(mesh, field, std::array<Mesh::Vertex_index, 1>{tip},
                          parameters::callback(progress.part(0.3, 1).callback()));
   for(const Filled_border& border : component.borders)
