@@ -158,7 +158,7 @@ private:
   {
     std::vector<double> least;
     for(const std::size_t bead : line)
-      least.push_back(0.97 * beads_[bead].depth);
+      least.push_back(0.98 * beads_[bead].depth);
     for(int round = 0; round != 4; ++round)
       for(std::size_t i = 1; i + 1 < line.size(); ++i)
         straighten(line, i, least[i]);
