@@ -128,7 +128,7 @@ def pipe_with_branch(fine, degrees):
 def thin_branch_on_thick_trunk(fine):
     function = union(rod((-5, 0, 0), (5, 0, 0), 3), rod((0, 0, 0), (0, 0, 8), 0.8))
     mesh = implicit(function, (-9, -4, -4), (9, 4, 10), 0.7 / fine)
-    return mesh, dict(limbs=3, ends=3, junctions=1, thickest=about(2.93, by=0.17))  # 2.76 with all of its round end
+    return mesh, dict(limbs=3, ends=3, junctions=1, thickest=about(3, by=0.1))
 @plain()
 def letter_y(fine):
     tips = [(0, 0, -4), (3.2, 0, 3.2), (-3.2, 0, 3.2)]

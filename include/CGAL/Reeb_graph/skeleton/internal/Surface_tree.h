@@ -337,6 +337,7 @@ private:
   typedef AABB_traits<Rounded_kernel, AABB_triangle_primitive<Rounded_kernel, Walls::const_iterator>> Any_traits;
 #endif
   // In the middle of a tube, all that is around is about as far: of two triangles in three, the plane tells that it is farther.
+  // That of a sliver is rounded to anything.
   struct Wall_traits : Any_traits
   {
     auto closest_point_object() const
