@@ -57,14 +57,14 @@ Input noisy_torus(std::size_t number_of_vertices)
 
 typedef std::array<double, 3> Position;
 
-// A square grid with noise of ten edges.
+// A square grid with noise whose standard deviation is ten edges.
 Input noisy_terrain(std::size_t number_of_vertices)
 {
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(number_of_vertices)));
   random_meshes::Random random(side);
   Input input = {"terrain of noise", {}, {}};
   input.soup = generated_surfaces::internal::grid(side, side, false, false, [&](std::size_t i, std::size_t k) {
-    return Position{static_cast<double>(i), static_cast<double>(k), static_cast<double>(random.below(10001)) / 1000};
+    return Position{static_cast<double>(i), static_cast<double>(k), static_cast<double>(random.below(34642)) / 1000};
   });
   input.values = tilted_height(input.soup);
   return input;

@@ -17,6 +17,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
@@ -81,15 +82,13 @@ public:
     }
     is_inward_ = volume < 0;
     tree_.insert(all.begin(), all.end(), mesh_);
-    tree_.build();
+    build(tree_, [&](const auto& face) { return corners(face.id())[0]; });
     has_openings_ = walls_.size() != all.size() && !walls_.empty();
     wall_tree_.insert(walls_.cbegin(), walls_.cend());
-    wall_tree_.build();
+    build(wall_tree_, [](const auto& wall) { return (*wall.id())[0]; });
     const Bbox_3 box = CGAL::bbox_3(mesh_.points().begin(), mesh_.points().end());
     size_ = distance({box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()});
-    for(const int axis : {1, 2})
-      if(box.max(axis) - box.min(axis) < box.max(axis_) - box.min(axis_))
-        axis_ = axis;
+    find_axis(all, box);
   }
 
   const Mesh& mesh() const { return mesh_; }
@@ -119,9 +118,8 @@ public:
   // Whether distances are those from less than the whole surface.
   bool has_openings() const { return has_openings_; }
 
-  // Whether a line from a point in the direction of an axis, that along which the surface is least long, crosses the surface an
-  // odd number of times. The line is moved by less than any number, so that it passes no edge: exact signs decide for every
-  // surface and every point.
+  // Whether a line from a point in the direction of an axis crosses the surface an odd number of times. The line is moved by
+  // less than any number, so that it passes no edge: exact signs decide for every surface and every point.
   bool is_inside(const Point& p) const
   {
     Crossings_of_line crossings(*this);
@@ -212,15 +210,15 @@ public:
     Inner_ball ball = {p + depth_beneath(v, inwards) / 2 * inwards, 0};
     if(!is_inside(ball.center))
       return ball;
-    auto [touched, face] = closest_place(ball.center);
+    Point touched = tree_.closest_point(ball.center);
     double radius = distance(p, ball.center);
     // The surface can cross itself at the vertex.
-    while(distance(ball.center, touched) < 0.9 * radius && !has_corner(face, v) && radius > 1e-9 * size_)
+    while(distance(ball.center, touched) < 0.9 * radius && !is_beside(touched, v) && radius > 1e-9 * size_)
     {
       const Vector way = touched - p; // The ball becomes one through both (J. Ma and others 2012).
       radius = way.squared_length() / (2 * (way * inwards));
       ball.center = p + radius * inwards;
-      std::tie(touched, face) = closest_place(ball.center);
+      touched = tree_.closest_point(ball.center, touched);
     }
     ball.radius = distance(ball.center, touched);
     for(double growth = 1; growth > 0.1;)
@@ -355,6 +353,38 @@ private:
   };
   typedef AABB_tree<Traits> Tree;
 
+  static double extent(const Bbox_3& box, int axis) { return box.max(axis) - box.min(axis); }
+
+  // Splits at the median of corners along the axis on which they are spread most. That of the box would be the same one again and
+  // again where triangles are long, as in spikes of noise: then each search meets a share of all.
+  template <class Any_tree, class Corner_of>
+  static void build(Any_tree& tree, const Corner_of& corner_of)
+  {
+    tree.custom_build(tree.traits().compute_bbox_object(), [&](auto first, auto beyond, const Bbox_3&) {
+      Bbox_3 box;
+      for(auto primitive = first; primitive != beyond; ++primitive)
+        box += corner_of(*primitive).bbox();
+      const std::array<double, 3> extents = {extent(box, 0), extent(box, 1), extent(box, 2)};
+      const auto axis = static_cast<int>(std::max_element(extents.begin(), extents.end()) - extents.begin());
+      std::nth_element(first, first + (beyond - first) / 2, beyond,
+                       [&](const auto& a, const auto& b) { return corner_of(a)[axis] < corner_of(b)[axis]; });
+    });
+  }
+
+  // Finds the axis along which a line meets the boxes of fewest faces on average.
+  void find_axis(const std::vector<Mesh::Face_index>& faces, const Bbox_3& box)
+  {
+    std::array<double, 3> numbers = {}; // of boxes, times the volume of all
+    for(const auto f : faces)
+    {
+      const auto [a, b, c] = corners(f);
+      const Bbox_3 of_face = a.bbox() + b.bbox() + c.bbox();
+      for(const int axis : {0, 1, 2})
+        numbers[axis] += extent(of_face, (axis + 1) % 3) * extent(of_face, (axis + 2) % 3) * extent(box, axis);
+    }
+    axis_ = static_cast<int>(std::min_element(numbers.begin(), numbers.end()) - numbers.begin());
+  }
+
   static Rounded_kernel::Point_3 to_rounded(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
   // Counts the faces that a line crosses, as it descends a tree.
@@ -371,16 +401,15 @@ private:
     template <class Node>
     bool do_intersect(const Point& p, const Node& node) const
     {
-      const Bbox_3 box = node.bbox();
-      const int u = (surface_.axis_ + 1) % 3, v = (surface_.axis_ + 2) % 3;
-      return p[surface_.axis_] <= box.max(surface_.axis_) && box.min(u) <= p[u] && p[u] <= box.max(u)
-          && box.min(v) <= p[v] && p[v] <= box.max(v);
+      return is_beneath(p, node.bbox());
     }
 
     void intersection(const Point& p, const Primitive& primitive)
     {
       const auto corners = surface_.corners(primitive.id());
       const auto& [a, b, c] = corners;
+      if(!is_beneath(p, a.bbox() + b.bbox() + c.bbox()))
+        return;
       const Orientation side = orientation(a, b, c, p);
       if(side == ZERO && Kernel::Triangle_3(a, b, c).has_on(p))
         is_on_surface_ = true;
@@ -392,6 +421,13 @@ private:
 
   private:
     Kernel::Point_2 seen(const Point& p) const { return {p[(surface_.axis_ + 1) % 3], p[(surface_.axis_ + 2) % 3]}; }
+
+    bool is_beneath(const Point& p, const Bbox_3& box) const
+    {
+      const int u = (surface_.axis_ + 1) % 3, v = (surface_.axis_ + 2) % 3;
+      return p[surface_.axis_] <= box.max(surface_.axis_) && box.min(u) <= p[u] && p[u] <= box.max(u)
+          && box.min(v) <= p[v] && p[v] <= box.max(v);
+    }
 
     // Whether the line meets a face: each edge that it passes is on the same side of it for both of its faces.
     bool is_met(const std::array<Point, 3>& corners, const Point& p) const
@@ -450,6 +486,16 @@ private:
   {
     const auto h = mesh_.halfedge(f);
     return mesh_.source(h) == v || mesh_.target(h) == v || mesh_.target(mesh_.next(h)) == v;
+  }
+
+  // Whether a point of the surface is on a face of a vertex, or on the edge of one, where it can be found as one of others.
+  bool is_beside(const Point& p, Mesh::Vertex_index v) const
+  {
+    const auto faces = CGAL::faces_around_target(mesh_.halfedge(v), mesh_);
+    return std::any_of(faces.begin(), faces.end(), [&](Mesh::Face_index f) {
+      const auto [a, b, c] = corners(f);
+      return squared_distance(Kernel::Triangle_3(a, b, c), p) <= 1e-24 * size_ * size_;
+    });
   }
 
   bool is_met_in_end(Mesh::Face_index f, const Surface_place& from, const Surface_place& to) const
@@ -512,7 +558,7 @@ private:
   bool has_openings_ = false;
   bool is_inward_ = false;
   double size_ = 0; // of the bounding box
-  int axis_ = 0;    // the shortest side of that
+  int axis_ = 0;    // of the lines that tell what is inside
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

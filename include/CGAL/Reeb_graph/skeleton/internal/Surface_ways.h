@@ -71,10 +71,12 @@ public:
     for(const std::size_t most_turned : {std::size_t(6), path.steps.size()})
     {
       std::vector<Sunk_place> way = begin;
-      add_path(path, most_turned, way);
+      const bool is_turned = add_path(path, most_turned, way);
       way.insert(way.end(), end.rbegin(), end.rend());
       if(raise_until_free(way, false))
         return shortened(way);
+      if(!is_turned)
+        break;
     }
     return {};
   }
@@ -153,11 +155,12 @@ private:
   // Places beneath the edges between faces, and the centers of the first and the last one, no deeper than in the middle between these
   // and what is seen from there, and not much deeper than the place before. No two are at one depth, as else a way that is pulled
   // straight can touch edges of what is regular, and pass curves there by rounding. Where more steps than `most_turned` turn around
-  // a vertex, the way goes beneath that.
-  void add_path(const Face_path& path, std::size_t most_turned, std::vector<Sunk_place>& way) const
+  // a vertex, the way goes beneath that: returns whether there are such.
+  bool add_path(const Face_path& path, std::size_t most_turned, std::vector<Sunk_place>& way) const
   {
     const double golden_ratio = (std::sqrt(5.) - 1) / 2;
     double depth = 0, share = 0;
+    bool is_turned = false;
     const auto add = [&](const Point& p, const Vector& inwards, Mesh::Face_index f, Mesh::Face_index g) {
       const double size = length(inwards);
       if(!(size > 0))
@@ -183,6 +186,7 @@ private:
         depth = (std::max)(tree_.depth_beneath(v, down) / 2, 1e-6 * tree_.size());
         way.push_back({{mesh_.point(v) + depth * down}, down, depth, mesh_.point(v), {}});
         i += number - 1;
+        is_turned = true;
         const Mesh::Face_index g = mesh_.face(mesh_.opposite(path.steps[i]));
         add(tree_.center(g), tree_.inward_normal(g), g, g);
         continue;
@@ -194,6 +198,7 @@ private:
     }
     const Mesh::Face_index last = path.end(mesh_);
     add(tree_.center(last), tree_.inward_normal(last), last, last);
+    return is_turned;
   }
 
   // The vertex around which most steps turn from one on, and how many do.
@@ -237,14 +242,23 @@ private:
     for(const Vector& ray : rays)
       if(const auto seen = tree_.first_seen(p, ray))
       {
-        // Rounding puts what is right at an edge, or in the plane of the face, on either side of that.
+        // Rounding puts what is right at an edge, or in the plane of the face, on either side of that. One that is
+        // seen from behind tells that the surface crosses itself there.
         const auto inner = tree_.first_seen(p, CGAL::midpoint(seen->first, tree_.center(seen->second)) - p);
         if(inner && inner->second == seen->second
-           && (p - inner->first) * tree_.inward_normal(inner->second) > 1e-3 * distance(p, inner->first))
+           && std::abs((p - inner->first) * tree_.inward_normal(inner->second)) > 1e-3 * distance(p, inner->first))
           return *inner;
         first = first ? first : seen;
       }
     return first.value_or(closest);
+  }
+
+  // A place at a share of its depth.
+  static Sunk_place raised(Sunk_place p, double share)
+  {
+    p.place.point = p.place.point - (1 - share) * p.depth * p.inwards;
+    p.depth *= share;
+    return p;
   }
 
   // Brings the ends of segments that cross the surface nearer to it until none does, and, if that is asked, until nothing is
@@ -252,6 +266,9 @@ private:
   bool raise_until_free(std::vector<Sunk_place>& way, bool is_swept) const
   {
     const int number_of_turns = 24;
+    const auto is_met = [&](const Sunk_place& a, const Sunk_place& b) {
+      return tree_.is_crossed(a.place, b.place) || (is_swept && is_met_between(a, b));
+    };
     std::vector<bool> has_moved(way.size(), true);
     for(int turn = 0; turn != number_of_turns; ++turn)
     {
@@ -259,19 +276,18 @@ private:
       for(std::size_t i = 0; i + 1 < way.size(); ++i)
       {
         look(i);
-        if((has_moved[i] || has_moved[i + 1])
-           && (tree_.is_crossed(way[i].place, way[i + 1].place) || (is_swept && is_met_between(way[i], way[i + 1]))))
-          is_bad[i] = is_bad[i + 1] = true;
+        if(!(has_moved[i] || has_moved[i + 1]) || !is_met(way[i], way[i + 1]))
+          continue;
+        // Segments that are met right beneath the surface, where that crosses itself, stay so.
+        if(turn == 0 && is_met(raised(way[i], 1e-6), raised(way[i + 1], 1e-6)))
+          return false;
+        is_bad[i] = is_bad[i + 1] = true;
       }
       if(std::find(is_bad.begin(), is_bad.end(), true) == is_bad.end())
         return true;
       for(std::size_t i = 0; i != way.size(); ++i)
         if(is_bad[i])
-        {
-          const double rise = 0.75 * way[i].depth;
-          way[i].place.point = way[i].place.point - rise * way[i].inwards;
-          way[i].depth -= rise;
-        }
+          way[i] = raised(way[i], 0.25);
       has_moved = std::move(is_bad);
     }
     return false;
