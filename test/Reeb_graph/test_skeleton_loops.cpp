@@ -22,6 +22,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -250,6 +251,27 @@ BOOST_AUTO_TEST_CASE(loops_of_solids_of_cubes_are_a_basis)
       sum += number;
     }
   BOOST_TEST(sum > 100u);
+}
+
+// Junctions that are near to each other, joined along a line that goes around a handle, would take all other lines with them.
+BOOST_AUTO_TEST_CASE(moved_lines_are_no_longer)
+{
+  for(std::size_t seed = 1; seed <= 40; ++seed)
+    for(const int size : {5, 6})
+      BOOST_TEST_CONTEXT("size " << size << ", seed " << seed)
+      {
+        const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(Voxel_solid(size, seed).surface());
+        std::array<double, 2> lengths = {};
+        for(const int smooth : {0, 1})
+        {
+          Skeleton skeleton;
+          CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton, CGAL::parameters::smooth(double(smooth)));
+          for(const auto e : CGAL::make_range(edges(skeleton)))
+            lengths[smooth] += std::sqrt(
+              CGAL::squared_distance(skeleton[source(e, skeleton)].point, skeleton[target(e, skeleton)].point));
+        }
+        BOOST_TEST(lengths[1] <= lengths[0]);
+      }
 }
 
 // Channels lead through a cube, two by two in each direction.

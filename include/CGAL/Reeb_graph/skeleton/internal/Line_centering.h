@@ -177,7 +177,8 @@ private:
       bead = moved;
   }
 
-  // Makes two junctions one that are nearer to each other than the surface is: the lines of one go on to the other.
+  // Makes two junctions one that are nearer to each other than the surface is, and joined by a line in the balls around them: the
+  // lines of one go on to the other.
   void join_junctions()
   {
     find_ends();
@@ -189,13 +190,22 @@ private:
     }
   }
 
+  double length_of(const Numbers& line) const
+  {
+    double sum = 0;
+    for(std::size_t i = 1; i < line.size(); ++i)
+      sum += distance(beads_[line[i - 1]].point.point, beads_[line[i]].point.point);
+    return sum;
+  }
+
   bool join_ends(Line& line)
   {
     if(line.beads.empty() || line.beads.front() == line.beads.back())
       return false;
     const Bead &a = beads_[line.beads.front()], &b = beads_[line.beads.back()];
     if(a.is_on_surface() || b.is_on_surface() || a.is_fixed || b.is_fixed
-       || !(distance(a.point.point, b.point.point) < (std::min)(a.depth, b.depth)))
+       || !(distance(a.point.point, b.point.point) < (std::min)(a.depth, b.depth))
+       || !(length_of(line.beads) < a.depth + b.depth)) // It leaves the balls around them.
       return false;
     Numbers path = std::exchange(line.beads, {});
     if(a.depth < b.depth)
