@@ -12,6 +12,7 @@
 #include "mesh_builders.h"
 #include "random_meshes.h"
 #include "shuffle.h"
+#include "voxel_solids.h"
 
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
 
@@ -404,6 +405,31 @@ BOOST_AUTO_TEST_CASE(tips_of_round_and_pointed_ends_stay)
                             : 0;
     BOOST_TEST(number_of_others == number_of_blunt);
   }
+}
+
+// A line that bends at a handle can look at a side of the bar: its end is in the middle of the cap all the same.
+BOOST_AUTO_TEST_CASE(bars_with_a_handle_end_in_the_middle_of_their_caps)
+{
+  for(const int length : {14, 18})
+    for(int z = 3; z <= length - 6; ++z)
+      BOOST_TEST_CONTEXT("length " << length << ", handle at " << z)
+      {
+        const auto is_solid = [&](const Voxel_solid::Cell& cell) {
+          const bool is_bar = cell[0] < 9 && cell[1] < 9 && cell[2] < length;
+          const bool is_foot = cell[0] < 12 && (cell[2] == z || cell[2] == z + 2);
+          return is_bar || (cell[1] == 2 && (is_foot || (cell[0] == 11 && cell[2] == z + 1)));
+        };
+        const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(Voxel_solid::of_cells(20, is_solid).surface());
+        CGAL::Reeb_graph::Curve_skeleton<Surface_mesh> skeleton;
+        BOOST_TEST(CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton).number_of_loops == 1u);
+        std::size_t number_in_middle = 0;
+        for(const auto v : CGAL::make_range(vertices(skeleton)))
+          for(const int cap : {0, length})
+            if(out_degree(v, skeleton) == 1
+               && CGAL::squared_distance(skeleton[v].point, Surface_mesh::Point(4.5, 4.5, cap)) < 0.01)
+              ++number_in_middle;
+        BOOST_TEST(number_in_middle == 2u);
+      }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

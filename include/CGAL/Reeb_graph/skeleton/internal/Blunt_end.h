@@ -30,7 +30,7 @@ class Blunt_end
 {
 public:
   // The view is from a point inside, in a direction of length 1, where the limb has about such a radius.
-  Blunt_end(const Surface_tree& tree, const Point& from, const Vector& along, double radius)
+  Blunt_end(const Surface_tree& tree, const Point& from, const Vector& along, double radius, const Point& tip)
     : tree_(tree),
       mesh_(tree.mesh())
   {
@@ -39,7 +39,7 @@ public:
       return;
     const double farthest = 4 * (radius + distance(from, seen->first));
     if(const auto axis = mean_normal(seen->second, along, seen->first, farthest))
-      if(mean_normal(seen->second, *axis, seen->first, farthest) && is_flat(*axis))
+      if(mean_normal(seen->second, *axis, seen->first, farthest) && is_flat(*axis) && has_tip(*axis, tip))
         find_middle();
   }
 
@@ -96,6 +96,12 @@ private:
         highest = (std::max)(highest, height);
       }
     return flat_area_ > least_flat_share * area_ && highest - lowest < radius() / 2;
+  }
+
+  // Whether a tip is one of the cap, or of its rim. A line that bends can look at another side.
+  bool has_tip(const Vector& axis, const Point& tip) const
+  {
+    return std::abs((tip - centroid_) * axis) < radius() / 2 && distance(tip, centroid_) < 2 * radius();
   }
 
   void find_middle()

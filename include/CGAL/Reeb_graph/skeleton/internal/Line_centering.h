@@ -112,7 +112,7 @@ private:
   }
 
   // Moves the tip of a limb that ends bluntly to the middle of its cap, straight on from where the limb is as wide as that. The cap
-  // is seen along the line from two radii away or, where the line bends there, from nearer.
+  // is seen along the line from at most two radii away: of several, as the line bends, it is the smallest one.
   void move_tip(Numbers& beads, bool is_last)
   {
     if(beads.size() < 3 || beads_[is_last ? beads.back() : beads.front()].depth > 0)
@@ -126,14 +126,17 @@ private:
           && !(distance(beads_[line[farthest]].point.point, tip.point.point) > 2 * beads_[line[farthest]].depth))
       ++farthest;
     std::optional<Blunt_end> end;
-    for(std::size_t i = farthest; i != 0 && !(end && end->middle()); --i)
+    for(std::size_t i = farthest; i != 0; --i)
     {
       const Bead& from = beads_[line[i]];
       const Vector along = from.point.point - beads_[line[i + 1]].point.point;
-      if(length(along) > 0)
-        end.emplace(tree_, from.point.point, along / length(along), from.depth);
+      if(!(length(along) > 0))
+        continue;
+      const Blunt_end seen(tree_, from.point.point, along / length(along), from.depth, tip.point.point);
+      if(seen.middle() && !(end && end->radius() <= seen.radius()))
+        end.emplace(seen);
     }
-    if(!end || !end->middle())
+    if(!end)
       return;
     tip.point.point = end->middle()->point;
     tip.vertex = end->middle()->vertex;
