@@ -176,9 +176,9 @@ void add_component(const Reading& reading,
 /// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. Loops are led
 /// along the surface where they would be no basis of the loops inside, by linking numbers with curves on it. At last, lines are
 /// moved to where the sum of length by distance from the surface is least, with a price on bends. Junctions nearer to each other
-/// than the surface, with a line between them in the balls around them, are joined, and lines within a quarter of that from where they part. Tips of limbs that end bluntly go
-/// to the middle of their caps. Each step is taken only if the surface does not meet what it sweeps; edges that cross a
-/// component that intersects itself stay. So no vertex is
+/// than the surface, with a line between them in the balls around them, are joined, and lines within a quarter of that from
+/// where they part. Tips of limbs that end bluntly go to the middle of their caps. Each step is taken only if the surface does
+/// not meet what it sweeps; edges that cross a component that intersects itself stay. So no vertex is
 /// outside, no edge crosses a component that does not intersect itself, and loops are a basis there. What remains on others, or
 /// where the numbers of the points end, or no lines that follow the surface are a basis, is counted.
 /// Where a border passes a point twice, as at both sides of a slit, it is closed there, and what is left on one line is no end.
