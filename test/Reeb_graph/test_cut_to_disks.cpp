@@ -194,6 +194,25 @@ BOOST_AUTO_TEST_CASE(cuts_are_short)
   BOOST_TEST(length < 3 * pi);
 }
 
+// Squares of lengths are infinite or 0 in some of these units.
+BOOST_AUTO_TEST_CASE(cuts_are_the_same_in_any_unit)
+{
+  for(std::size_t seed = 0; seed < 20; ++seed)
+    for(const double unit : {std::ldexp(1., 660), std::ldexp(1., -660)})
+      BOOST_TEST_CONTEXT("seed " << seed << ", unit " << unit)
+      {
+        generated_surfaces::Triangle_soup soup = surface_of_seed(seed);
+        const Disks<Surface_mesh> disks(soup);
+        for(auto& point : soup.points)
+          for(double& coordinate : point)
+            coordinate *= unit;
+        const Disks<Surface_mesh> others(soup);
+        BOOST_REQUIRE(disks.curves.size() == others.curves.size());
+        for(std::size_t i = 0; i < disks.curves.size(); ++i)
+          BOOST_TEST((disks.curves[i].halfedges == others.curves[i].halfedges));
+      }
+}
+
 BOOST_AUTO_TEST_CASE(work_that_is_cancelled_changes_nothing)
 {
   for(const double last : {0., 0.2, 0.5})

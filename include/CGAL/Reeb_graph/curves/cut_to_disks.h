@@ -17,16 +17,15 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/internal/base/arrays.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/complex/Curve_opening.h>
 #include <CGAL/Reeb_graph/internal/complex/Flat_mesh.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -240,12 +239,14 @@ private:
     for(const Edge_index e : is_cut_.keys())
       if(is_cut_[e])
         is_bounded[component_of(e)] = true;
+    std::vector<double> least(sources_.size(), std::numeric_limits<double>::infinity()); // lengths of paths
     for(const Vertex_index v : complex_.vertices())
-    {
-      Vertex_index& best = sources_[components_[v]];
-      if(!is_bounded[components_[v]] && length_of_path(v) < length_of_path(best))
-        best = v;
-    }
+      if(const std::size_t component = components_[v]; !is_bounded[component])
+        if(const double length = length_of_path(v); length < least[component])
+        {
+          least[component] = length;
+          sources_[component] = v;
+        }
     for(std::size_t component = 0; component != sources_.size(); ++component)
       if(!is_bounded[component])
         for(const Edge_index e : shortest_edges(sources_[component]))
@@ -314,8 +315,8 @@ std::vector<typename boost::graph_traits<Mesh>::edge_descriptor> find_disk_cut(c
     if(!complex.has_edge(e))
       continue;
     const auto h = halfedge_of(e);
-    const auto vector = get(vertex_point_map, target(h, mesh)) - get(vertex_point_map, source(h, mesh));
-    const double length = std::sqrt(CGAL::to_double(vector.squared_length()));
+    const double length =
+      distance_between(get(vertex_point_map, source(h, mesh)), get(vertex_point_map, target(h, mesh)));
     lengths[e] = length >= 0 ? length : 0; // not NaN
   }
   std::vector<typename boost::graph_traits<Mesh>::edge_descriptor> edges;
