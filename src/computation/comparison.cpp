@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/comparison/match_tips.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <map>
 
@@ -73,32 +74,32 @@ Partners match_arcs(Mesh_graph& a, Mesh_graph& b, double price_alone)
 
 std::vector<std::size_t> find_like_tips(const std::vector<const Surface*>& surfaces)
 {
-  typedef Surface::Vertex_index Vertex;
+  namespace internal = CGAL::Reeb_graph::internal;
   Progress_bar progress_bar("tips");
+  std::vector<internal::Tips_of_mesh<Surface>> all;
+  for(const Surface* surface : surfaces)
+  {
+    progress_bar(static_cast<double>(all.size()) / static_cast<double>(surfaces.size()));
+    all.emplace_back(*surface);
+  }
+  // Each tip of the surface with the fewest ones has a partner on each other one.
+  const auto first = std::min_element(all.begin(), all.end(),
+                                      [](const auto& a, const auto& b) { return a.tips().size() < b.tips().size(); });
   struct Choice
   {
     std::vector<std::size_t> tips;
     double price = 0;
   };
-  std::map<Vertex, Choice> choices; // by tip of the first surface
-  for(std::size_t i = 1; i < surfaces.size(); ++i)
-  {
-    std::vector<CGAL::Reeb_graph::Tip_pair<Vertex, Vertex>> pairs;
-    CGAL::Reeb_graph::match_tips(*surfaces.front(), *surfaces[i], std::back_inserter(pairs));
-    for(const auto& pair : pairs)
+  std::map<Surface::Vertex_index, Choice> choices; // by tip of that surface
+  for(const auto& other : all)
+    for(const auto& [tip, partner, price] : internal::match_tips(*first, other))
     {
-      Choice& choice = choices[pair.tip_a];
-      choice.tips.resize(i, pair.tip_a);
-      choice.tips.push_back(pair.tip_b);
-      choice.price += pair.price;
+      choices[tip].tips.push_back(&other == &*first ? tip : partner);
+      choices[tip].price += price;
     }
-    progress_bar(static_cast<double>(i) / static_cast<double>(surfaces.size()));
-  }
-  const Choice* best = nullptr;
-  for(const auto& [tip, choice] : choices)
-    if(choice.tips.size() == surfaces.size() && (best == nullptr || choice.price < best->price))
-      best = &choice;
-  return best == nullptr ? std::vector<std::size_t>() : best->tips;
+  const auto best = std::min_element(choices.begin(), choices.end(),
+                                     [](const auto& a, const auto& b) { return a.second.price < b.second.price; });
+  return best == choices.end() ? std::vector<std::size_t>() : best->second.tips;
 }
 
 } // namespace reeb_graph_program

@@ -15,6 +15,7 @@
 #include <CGAL/Reeb_graph/comparison/match_arcs.h>
 #include <CGAL/Reeb_graph/fields/field_constraints.h>
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/simplification/simplification_thresholds.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
 #include <CGAL/Reeb_graph_traits.h>
@@ -22,11 +23,14 @@
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/centroid.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/transform_iterator.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -44,7 +48,9 @@ struct Tip_pair
 {
   VertexA tip_a; ///< a vertex of the first mesh
   VertexB tip_b; ///< a vertex of the second mesh
-  double price;  ///< what `match_arcs()` pays in all for the graphs of the distances from these two
+  /// what `match_arcs()` pays in all for the graphs of the distances from these two, and a millionth of how much their greatest
+  /// distances differ, as shares of the greatest one of each mesh
+  double price;
 };
 
 namespace internal {
@@ -63,13 +69,18 @@ public:
     find_far_apart_vertices(mesh, std::back_inserter(far_apart));
     if(far_apart.size() != 1)
       return;
-    tips_.push_back(find_end(far_apart.front().first));
+    tips_.push_back(find_end(find_start()));
     for(std::size_t i = 0; i != tips_.size(); ++i) // The first one adds others.
       see_from(i);
+    const double greatest = *std::max_element(reaches_.begin(), reaches_.end());
+    for(double& reach : reaches_)
+      reach = part_of(reach, greatest);
   }
 
   const std::vector<Vertex>& tips() const { return tips_; }
   const std::vector<Compared_arc>& arcs_seen_from(std::size_t tip) const { return arcs_[tip]; }
+
+  double reach_of(std::size_t tip) const { return reaches_[tip]; } // the greatest distance, by that from any tip
 
 private:
   typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<double>>::const_type Distance_map;
@@ -79,6 +90,26 @@ private:
     const Distance_map distance = get(dynamic_vertex_property_t<double>(), mesh_);
     compute_geodesic_field(mesh_, distance, std::array<Vertex, 1>{source});
     return distance;
+  }
+
+  template <class Distance>
+  Vertex farthest(const Distance& distance) const
+  {
+    const auto all = vertices(mesh_);
+    return *std::max_element(all.first, all.second, [&](Vertex u, Vertex v) { return distance(u) < distance(v); });
+  }
+
+  // The vertex farthest from the middle of all, which does not depend on their order. One without faces is on no way.
+  Vertex find_start() const
+  {
+    const auto points = get(vertex_point, mesh_);
+    const auto point = [&](Vertex v) { return get(points, v); };
+    const auto all = vertices(mesh_);
+    const auto middle = CGAL::centroid(boost::make_transform_iterator(all.first, point),
+                                       boost::make_transform_iterator(all.second, point));
+    return farthest([&](Vertex v) {
+      return halfedge(v, mesh_) == boost::graph_traits<Mesh>::null_halfedge() ? -1 : distance_between(point(v), middle);
+    });
   }
 
   // Goes to the farthest vertex until the way leads back, and returns the one of both ends that is farther from all
@@ -91,18 +122,14 @@ private:
     for(int step = 0; step != most_steps; ++step)
     {
       const Distance_map distance = distance_from(v);
-      Vertex farthest = v;
       double sum = 0;
       for(const Vertex u : CGAL::make_range(vertices(mesh_)))
-      {
         sum += get(distance, u);
-        if(get(distance, farthest) < get(distance, u))
-          farthest = u;
-      }
-      if(farthest == last)
+      const Vertex next = farthest([&](Vertex u) { return get(distance, u); });
+      if(next == last)
         return last_sum < sum ? v : last;
       last_sum = sum;
-      last = std::exchange(v, farthest);
+      last = std::exchange(v, next);
     }
     return v;
   }
@@ -120,6 +147,7 @@ private:
     const Augmentation<Mesh, Distance_map> augmentation(mesh_, distance, graph,
                                                         parameters::simplification(simplification));
     arcs_.push_back(compared_arcs(graph, augmentation));
+    reaches_.push_back(get(distance, farthest([&](Vertex v) { return get(distance, v); })));
     if(i == 0)
       for(const auto node : CGAL::make_range(vertices(graph)))
         if(degree(node, graph) == 1 && graph[node].vertex != tips_[0])
@@ -129,7 +157,29 @@ private:
   const Mesh& mesh_;
   std::vector<Vertex> tips_;
   std::vector<std::vector<Compared_arc>> arcs_;
+  std::vector<double> reaches_;
 };
+
+// Pairs of tips, the two that are most alike first.
+template <class TipsA, class TipsB>
+auto match_tips(const TipsA& a, const TipsB& b)
+{
+  const std::size_t number_a = a.tips().size(), number_b = b.tips().size();
+  std::vector<std::vector<double>> prices(number_a);
+  for(std::size_t i = 0; i != number_a; ++i)
+    for(std::size_t j = 0; j != number_b; ++j)
+      prices[i].push_back(match(a.arcs_seen_from(i), b.arcs_seen_from(j), 1).price
+                          + 1e-6 * std::abs(a.reach_of(i) - b.reach_of(j))); // The graphs can be single arcs.
+  const std::vector<std::size_t> assigned = assign((std::max)(number_a, number_b), [&](std::size_t i, std::size_t j) {
+    return i < number_a && j < number_b ? prices[i][j] : 0.;
+  });
+  std::vector<Tip_pair<typename TipsA::Vertex, typename TipsB::Vertex>> pairs;
+  for(std::size_t i = 0; i != number_a; ++i)
+    if(assigned[i] < number_b)
+      pairs.push_back({a.tips()[i], b.tips()[assigned[i]], prices[i][assigned[i]]});
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) { return p.price < q.price; });
+  return pairs;
+}
 
 } // namespace internal
 
@@ -164,22 +214,7 @@ private:
 template <class MeshA, class MeshB, class OutputIterator>
 OutputIterator match_tips(const MeshA& mesh_a, const MeshB& mesh_b, OutputIterator tips)
 {
-  const internal::Tips_of_mesh<MeshA> a(mesh_a);
-  const internal::Tips_of_mesh<MeshB> b(mesh_b);
-  const std::size_t number_a = a.tips().size(), number_b = b.tips().size();
-  std::vector<std::vector<double>> prices(number_a);
-  for(std::size_t i = 0; i != number_a; ++i)
-    for(std::size_t j = 0; j != number_b; ++j)
-      prices[i].push_back(internal::match(a.arcs_seen_from(i), b.arcs_seen_from(j), 1).price);
-  const std::vector<std::size_t> assigned =
-    internal::assign((std::max)(number_a, number_b),
-                     [&](std::size_t i, std::size_t j) { return i < number_a && j < number_b ? prices[i][j] : 0.; });
-  std::vector<Tip_pair<typename internal::Tips_of_mesh<MeshA>::Vertex, typename internal::Tips_of_mesh<MeshB>::Vertex>>
-    pairs;
-  for(std::size_t i = 0; i != number_a; ++i)
-    if(assigned[i] < number_b)
-      pairs.push_back({a.tips()[i], b.tips()[assigned[i]], prices[i][assigned[i]]});
-  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) { return p.price < q.price; });
+  const auto pairs = internal::match_tips(internal::Tips_of_mesh<MeshA>(mesh_a), internal::Tips_of_mesh<MeshB>(mesh_b));
   return std::copy(pairs.begin(), pairs.end(), tips);
 }
 
