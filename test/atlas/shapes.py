@@ -113,6 +113,19 @@ def torus(fine, ratio):
     truths.update(handle=about(2 * n * r * sin(pi / n), 1e-9), tunnel=about((least + most) / 2, by=(most - least) / 2 + 0.06 * most))
     truths.update(ends=0, length=about(2 * pi * bend, 0.1), radius=about(r * cos(pi / n), 0.1))
     return tube(line, r, n, closed=True), truths
+@plain(3, 4, 6)
+def ring_with_edges(fine, n):
+    """A ring of triangular, square, or hexagonal section, whose edges lead around it."""
+    bend, r, angles = 5, 1, 2 * pi * np.arange(24 * fine) / (24 * fine)
+    line = bend * np.stack([cos(angles), sin(angles), 0 * angles], axis=1)
+    return tube(line, r, n, closed=True), dict(genus=1, ends=0, length=about(2 * pi * bend, 0.1))
+@plain("L", "T", "O", "P", "8")
+def letter(fine, name):
+    """A letter of square bars, whose corners are no ends."""
+    rows, ends, genus = {"L": ("o.. o.. o.. ooo", 2, 0), "T": ("ooooo ..o.. ..o.. ..o..", 3, 0), "O": ("ooo o.o o.o ooo", 0, 1),
+                         "P": ("ooo o.o ooo o.. o..", 1, 1), "8": ("ooo o.o ooo o.o ooo", 0, 2)}[name]
+    solid = np.array([[[cell == "o"] for cell in row] for row in rows.split()])
+    return blocks(solid, fine), dict(genus=genus, ends=ends, volume=float(solid.sum()))
 @plain()
 def double_torus(fine):
     function = union(ring((-2, 0, 0), 2, 0.7), ring((2, 0, 0), 2, 0.7))

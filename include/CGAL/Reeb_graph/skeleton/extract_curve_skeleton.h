@@ -211,7 +211,8 @@ void add_component(const Reading& reading,
 ///     \cgalParamDescription{A branch goes if its persistence is below this share of its own radius where it leaves the
 ///                           trunk, or of a quarter of that of the trunk. It also goes if its tip is not farther outside of
 ///                           the ball inscribed there than this share of the radius of the trunk, or, if what is near the tip is
-///                           about as long as wide, than half of that. Such limbs stay. Branches to borders stay.
+///                           about as long as wide, than half of that. Such limbs stay, and corners of what is bent go.
+///                           Branches to borders stay.
 ///                           0 prunes nothing. In a given field, other tips than those of such limbs go.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.5}

@@ -31,7 +31,7 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 // Takes branches off a graph, the least persistent ones first: paths from a leaf to the node where they leave the trunk,
 // or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of its radius there, or
 // of a quarter of that of the trunk, if it protrudes from the trunk by less than a share of its radius, or if it leads
-// across a tube. A limb as long as wide stays where it protrudes by half of that share, and so does one to a border.
+// across or around a tube. A limb as long as wide stays where it protrudes by half of that share, and so does one to a border.
 class Branch_pruning
 {
 public:
@@ -172,6 +172,8 @@ private:
     const double own = std::clamp(length / (2 * pi), radius / 4, radius);
     if(protrusion < ratio_ / 2 * radius || is_across_tube(branch, tip, length))
       return true;
+    if(is_around_tube(branch.persistence, length, radius, samples))
+      return !is_limb(tip, ratio_ * own, 2 * protrusion, 1.45);
     // Values that are no distances from a tip have extrema anywhere.
     return (!are_values_distances_ || protrusion < ratio_ * radius || branch.persistence <= ratio_ * own
             || is_bump(tip, branch.persistence))
@@ -206,6 +208,20 @@ private:
     const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
     const double inscribed = tree_.distance_from(CGAL::midpoint(top, bottom), top);
     return distance(top, bottom) / 2 < (1 + ratio_ / 2) * inscribed && contour_length > 3 * pi * inscribed;
+  }
+
+  // Whether a branch is hardly longer than the way around half of the trunk, where the front from its tip meets itself: the contour
+  // there is two sections of the trunk. So it is from corners of what is bent, and from edges along it.
+  bool is_around_tube(double persistence,
+                      double contour_length,
+                      double radius,
+                      const std::vector<Contour_sample>& of_trunk) const
+  {
+    double sum = 0;
+    for(const Contour_sample& sample : of_trunk)
+      sum += sample.shape.length;
+    return contour_length > (std::max)(0.9 * sum, 3 * pi * radius)
+        && persistence < (1 + ratio_ / pi) * contour_length / 4;
   }
 
   // A contour on the way from a node along an arc, and on through nodes with two arcs, about a distance away.
@@ -265,8 +281,9 @@ private:
   }
 
   // Whether what is nearer to a tip than some distance is about as long as it is wide. The persistence of a limb that the front
-  // passes across, or reaches from two sides, tells nothing of its length. Spikes of noise have edges as long as they are.
-  bool is_limb(Index tip, double least, double most)
+  // passes across, or reaches from two sides, tells nothing of its length. Spikes of noise have edges as long as they are. At a corner
+  // of what is bent by a right angle, what is on both sides is 1.4 times as wide as far.
+  bool is_limb(Index tip, double least, double most, double most_width = Edge_walk::width_of_limb)
   {
     const double fineness = 0.4; // of the edges: at most this share of the limb's length
     walk_.start(graph_.vertex(tip));
@@ -276,7 +293,7 @@ private:
         walk_.step();
       if(!std::isfinite(walk_.next_distance()) || walk_.longest_edge() >= fineness * most)
         return false;
-      if(walk_.longest_edge() < fineness * d && walk_.width_by_distance() < Edge_walk::width_of_limb)
+      if(walk_.longest_edge() < fineness * d && walk_.width_by_distance() < most_width)
         return true;
     }
     return false;
