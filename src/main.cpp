@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
@@ -321,7 +322,7 @@ Skeleton_place parse_place(const std::string& option, const std::string& text)
   std::istringstream words(text + ',');
   for(std::string word; std::getline(words, word, ',');)
     numbers.push_back(text.find(',') == std::string::npos ? 0 : parse_real_number(option, word));
-  if(numbers.size() != 3)
+  if(numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }))
     throw no_place(option, text);
   return {Skeleton_place::POINT, 0, Point(numbers[0], numbers[1], numbers[2])};
 }

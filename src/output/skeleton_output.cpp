@@ -17,6 +17,7 @@
 #include <CGAL/Reeb_graph/internal/io/text.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +39,7 @@ std::string format_of_skeleton(const std::filesystem::path& path)
 
 // Radii that readers of SWC take, which refuse 0. Where one is 0, as at a tip, it is that of the point with one that is the fewest steps
 // away. Inscribed ones fall back to those of contours where a tree has none, and these, as between two sheets on each other, to
-// half of the mean step.
+// half of the mean step. A component that is one point has the least radius of all.
 std::vector<double> radii_for_swc(const Skeleton& skeleton, bool are_inscribed)
 {
   const auto& graph = skeleton.graph;
@@ -70,7 +71,31 @@ std::vector<double> radii_for_swc(const Skeleton& skeleton, bool are_inscribed)
             / static_cast<double>(out_degree(v, graph));
     return half;
   });
+  double least = std::numeric_limits<double>::infinity();
+  for(const double radius : radii)
+    least = radius > 0 ? (std::min)(least, radius) : least;
+  std::replace_if(
+    radii.begin(), radii.end(), [](double radius) { return !(radius > 0); },
+    std::isfinite(least) ? least : double(std::numeric_limits<float>::min()));
   return radii;
+}
+
+// The numbers of points in SWC, from 1: 0 of ends without length, as of a component that is one point.
+std::vector<std::size_t> numbers_for_swc(const Skeleton& skeleton)
+{
+  const auto& trees = skeleton.trees;
+  std::vector<std::size_t> numbers(trees.size(), 1);
+  const auto point = [&](std::size_t i) { return skeleton.graph[trees[i].vertex].point; };
+  for(std::size_t i = 0; i != trees.size(); ++i)
+    if(trees[i].parent != Skeleton::none)
+      numbers[i] = point(i) != point(trees[i].parent) ? 1 : 0;
+  for(std::size_t i = trees.size(); i-- != 0;) // Points come behind their parents.
+    if(numbers[i] != 0 && trees[i].parent != Skeleton::none)
+      numbers[trees[i].parent] = 1;
+  std::size_t number = 0;
+  for(std::size_t& n : numbers)
+    n = n == 0 ? 0 : ++number;
+  return numbers;
 }
 
 // The type is 1, that of a soma, where the thickest point is the root.
@@ -80,19 +105,22 @@ void write_swc(std::ostream& out, const Skeleton& skeleton, const Swc_options& o
   out.precision(std::numeric_limits<double>::max_digits10);
   out << "# id type x y z radius parent\n";
   const auto& trees = skeleton.trees;
+  const std::vector<std::size_t> numbers = numbers_for_swc(skeleton);
   for(std::size_t i = 0; i != trees.size(); ++i)
-    if(trees[i].original != Skeleton::none)
-      out << "# CYCLE_BREAK reconnect " << i + 1 << ' ' << trees[i].original + 1 << '\n';
+    if(trees[i].original != Skeleton::none && numbers[i] != 0)
+      out << "# CYCLE_BREAK reconnect " << numbers[i] << ' ' << numbers[trees[i].original] << '\n';
   const std::vector<double> radii = radii_for_swc(skeleton, options.are_radii_inscribed);
   for(std::size_t i = 0; i != trees.size(); ++i)
   {
+    if(numbers[i] == 0)
+      continue;
     const Point& p = skeleton.graph[trees[i].vertex].point;
-    out << i + 1 << ' ' << (i == skeleton.soma ? 1 : options.type) << ' ' << p.x() << ' ' << p.y() << ' ' << p.z()
+    out << numbers[i] << ' ' << (i == skeleton.soma ? 1 : options.type) << ' ' << p.x() << ' ' << p.y() << ' ' << p.z()
         << ' ' << radii[trees[i].vertex] << ' ';
     if(trees[i].parent == Skeleton::none)
       out << "-1\n";
     else
-      out << trees[i].parent + 1 << '\n';
+      out << numbers[trees[i].parent] << '\n';
   }
 }
 

@@ -245,6 +245,43 @@ BOOST_AUTO_TEST_CASE(capsules_have_points_all_along)
   }
 }
 
+// A face can have all its corners at one place: then there is no length by which to choose steps.
+BOOST_AUTO_TEST_CASE(a_component_that_is_one_point_has_an_arc_without_length)
+{
+  for(const Triangle_soup& soup :
+      {Triangle_soup{{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {{0, 1, 2}}},
+       Triangle_soup{{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}}})
+  {
+    const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
+    for(const double smooth : {0, 1})
+    {
+      Curve_skeleton<Surface_mesh> skeleton;
+      const Skeleton_certificate certificate =
+        extract_curve_skeleton(mesh, skeleton, parameters::smooth(smooth).sampling_ratio(0.3));
+      BOOST_TEST(num_vertices(skeleton) == 2);
+      BOOST_TEST(certificate.number_of_ends == 2);
+      BOOST_TEST(certificate.number_of_crossing_components == 1);
+    }
+  }
+}
+
+// By rounding, a triangle and what fills its border have a volume.
+BOOST_AUTO_TEST_CASE(flat_surfaces_are_told)
+{
+  random_meshes::Random random(5);
+  for(int sample = 0; sample < 50; ++sample)
+  {
+    Triangle_soup soup = {{}, {{0, 1, 2}}};
+    for(int i = 0; i < 3; ++i)
+      soup.points.push_back({0.37 * static_cast<double>(random.below(1000)),
+                             0.73 * static_cast<double>(random.below(1000)),
+                             0.11 * static_cast<double>(random.below(1000))});
+    const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
+    Curve_skeleton<Surface_mesh> skeleton;
+    BOOST_TEST(extract_curve_skeleton(mesh, skeleton).number_of_crossing_components == 1);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(no_step_is_too_long_for_any_ratio)
 {
   random_meshes::Random random(7);

@@ -126,12 +126,17 @@ cross = {(x, 4, 4) for x in range(9)} | {(4, y, 4) for y in range(9)} | {(4, 4, 
 frame = {cell for cell in itertools.product(range(7), repeat=3) if sum(c in (0, 6) for c in cell) >= 2}
 write("cross.off", *voxels(cross))
 write("frame.off", *voxels(frame))
+point = [(9.0, 9.0, 9.0)] * 3
+write("point.off", point, [(0, 1, 2)])
+points, faces = turned(capsule, 12)
+write("beside_a_point.off", points + point, faces + [tuple(len(points) + i for i in range(3))])
 pathlib.Path("neuron.off").write_bytes(pathlib.Path(neuron).read_bytes())
 
 faults = []
+MESHES = ("ball", "capsule", "sheets", "cross", "frame", "point", "beside_a_point", "neuron")
 settings = [([], 3), (["--radius", "inscribed"], 3), (["--smooth", "0"], 3), (["--root", "thickest"], 3),
             (["--radius", "inscribed", "--smooth", "0", "--swc-type", "7"], 7)]
-for mesh, (options, other_type) in itertools.product(("ball", "capsule", "sheets", "cross", "frame", "neuron"), settings):
+for mesh, (options, other_type) in itertools.product(MESHES, settings):
     subprocess.run([program, "skeleton", f"{mesh}.off", *options, "--output", f"{mesh}.swc"], check=True,
                    stdout=subprocess.DEVNULL)
     faults += [f"{mesh} {' '.join(options)}: {fault}" for fault in faults_of(f"{mesh}.swc", other_type)]
@@ -142,5 +147,7 @@ for mesh, (options, other_type) in itertools.product(("ball", "capsule", "sheets
 for wrong in ("0", "1", "-1", "x"):
     if subprocess.run([program, "skeleton", "ball.off", "--swc-type", wrong], capture_output=True).returncode == 0:
         faults.append(f"--swc-type {wrong} is taken")
+if subprocess.run([program, "skeleton", "ball.off", "--from", "nan,0,0", "--output", "ball.vtp"], capture_output=True).returncode == 0:
+    faults.append("no number is taken as a coordinate")
 print("\n".join(faults[:50]) or "all rules are kept")
 sys.exit(1 if faults else 0)

@@ -104,9 +104,10 @@ struct Skeleton_certificate
   std::size_t number_of_contractible_loops = 0;
   /// the index of what the loops generate among all loops inside that have a multiple in it: 1 if they are a basis
   std::size_t loop_index = 1;
-  std::size_t number_of_vertices_outside = 0;    ///< vertices that are outside; ends do not count
-  std::size_t number_of_crossing_edges = 0;      ///< edges that cross the surface other than in an end
-  std::size_t number_of_crossing_components = 0; ///< components that, with their borders filled, intersect themselves
+  std::size_t number_of_vertices_outside = 0; ///< vertices that are outside; ends do not count
+  std::size_t number_of_crossing_edges = 0;   ///< edges that cross the surface other than in an end
+  /// components that, with their borders filled, intersect themselves, or have no volume but for rounding
+  std::size_t number_of_crossing_components = 0;
 
   /// returns whether nothing is outside, and nothing crosses the surface
   bool is_inside() const { return number_of_vertices_outside == 0 && number_of_crossing_edges == 0; }

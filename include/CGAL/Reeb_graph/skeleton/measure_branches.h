@@ -96,7 +96,8 @@ Skeleton_branch measure_branch(const CurveSkeleton& skeleton,
   Skeleton_branch branch;
   branch.first = arc.front();
   branch.last = arc.back();
-  branch.least_radius = branch.greatest_radius = radius(0);
+  branch.radius = branch.least_radius = branch.greatest_radius = radius(0);
+  branch.inscribed_radius = point(0).inscribed_radius; // of an arc without length
   double weight = 0;
   for(std::size_t i = 0; i + 1 != arc.size(); ++i)
     weight += balls.share_outside(number, i);

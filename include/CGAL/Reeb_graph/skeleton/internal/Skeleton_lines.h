@@ -227,7 +227,7 @@ private:
     double radius = 0;
     for(const double t : {0.125, 0.375, 0.5, 0.625, 0.875})
       radius = (std::max)(radius, make_point(chain, t * length).radius);
-    const double wanted = length / step(radius) / 2;
+    const double wanted = length > 0 ? length / step(radius) / 2 : 0; // The points of a component can all be one.
     const std::size_t number = are_values_distances_ ? (std::max)(static_cast<std::size_t>(wanted), least) : 16;
     Line line;
     for(std::size_t i = 0; i != number; ++i)

@@ -88,6 +88,7 @@ public:
     const Bbox_3 box = CGAL::bbox_3(mesh_.points().begin(), mesh_.points().end());
     size_ = distance({box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()});
     find_axis(all, box);
+    is_flat_ = !(std::abs(volume) > 1e-12 * size_ * size_ * size_);
   }
 
   const Mesh& mesh() const { return mesh_; }
@@ -101,6 +102,8 @@ public:
   double size() const { return size_; } // of the bounding box
 
   bool is_inward() const { return is_inward_; } // whether the normals of faces point inwards
+
+  bool is_flat() const { return is_flat_; } // whether the volume is 0 but for rounding
 
   // Of length 1, or the null vector if the face has no area.
   Vector inward_normal(Mesh::Face_index f) const
@@ -555,7 +558,7 @@ private:
   Walls walls_; // the surface without its openings
   AABB_tree<Wall_traits> wall_tree_;
   bool has_openings_ = false;
-  bool is_inward_ = false;
+  bool is_inward_ = false, is_flat_ = false;
   double size_ = 0; // of the bounding box
   int axis_ = 0;    // of the lines that tell what is inside
 };

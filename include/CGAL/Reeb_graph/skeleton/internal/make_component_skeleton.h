@@ -180,6 +180,7 @@ Component_skeleton make_component_skeleton(Component component,
   result.number_of_loops = std::size_t(graph.number_of_arcs()) + 1 - graph.number_of_nodes();
   progress(0.2);
   const Surface_tree tree(component, options.are_borders_ends);
+  result.is_self_intersecting = result.is_self_intersecting || tree.is_flat();
   progress(0.2);
   std::vector<bool> is_border(graph.number_of_nodes(), false);
   for(Index node = 0; node != graph.number_of_nodes(); ++node)
