@@ -265,6 +265,26 @@ BOOST_AUTO_TEST_CASE(a_component_that_is_one_point_has_an_arc_without_length)
   }
 }
 
+// Where all of a torus is at one point, or in a plane, its loop can become a point.
+BOOST_AUTO_TEST_CASE(each_vertex_of_a_flattened_torus_has_an_arc)
+{
+  for(std::size_t flat = 0; flat < 4; ++flat)
+    for(const std::size_t corners : {3, 4, 8})
+      BOOST_TEST_CONTEXT("coordinate " << flat << ", corners " << corners)
+      {
+        Triangle_soup soup = generated_surfaces::torus(4 * corners, corners);
+        for(auto& point : soup.points)
+          for(std::size_t i = 0; i < 3; ++i)
+            point[i] = i == flat || flat == 3 ? 1 : point[i];
+        const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
+        Curve_skeleton<Surface_mesh> skeleton;
+        extract_curve_skeleton(mesh, skeleton);
+        BOOST_TEST(num_edges(skeleton) > 0);
+        for(const auto v : CGAL::make_range(vertices(skeleton)))
+          BOOST_TEST(out_degree(v, skeleton) > 0);
+      }
+}
+
 // By rounding, a triangle and what fills its border have a volume.
 BOOST_AUTO_TEST_CASE(flat_surfaces_are_told)
 {

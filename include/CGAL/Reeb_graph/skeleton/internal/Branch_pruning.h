@@ -172,7 +172,7 @@ private:
     const double own = std::clamp(length / (2 * pi), radius / 4, radius);
     if(protrusion < ratio_ / 2 * radius || is_across_tube(branch, tip, length))
       return true;
-    if(is_around_tube(branch.persistence, length, radius, samples))
+    if(protrusion < 5 * ratio_ * radius && is_around_tube(branch.persistence, length, radius, samples))
       return !is_limb(tip, ratio_ * own, 2 * protrusion, 1.45);
     // Values that are no distances from a tip have extrema anywhere.
     return (!are_values_distances_ || protrusion < ratio_ * radius || branch.persistence <= ratio_ * own
@@ -217,11 +217,13 @@ private:
                       double radius,
                       const std::vector<Contour_sample>& of_trunk) const
   {
-    double sum = 0;
+    double sum = 0, least = contour_length;
     for(const Contour_sample& sample : of_trunk)
+    {
       sum += sample.shape.length;
-    return contour_length > (std::max)(0.9 * sum, 3 * pi * radius)
-        && persistence < (1 + ratio_ / pi) * contour_length / 4;
+      least = (std::min)(least, sample.shape.length);
+    }
+    return contour_length > (std::max)(0.85 * sum, 3 * pi * radius) && persistence < (1 + ratio_ / pi) * least / 2;
   }
 
   // A contour on the way from a node along an arc, and on through nodes with two arcs, about a distance away.

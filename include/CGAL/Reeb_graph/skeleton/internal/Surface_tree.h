@@ -218,7 +218,10 @@ public:
     while(distance(ball.center, touched) < 0.9 * radius && !is_beside(touched, v) && radius > 1e-9 * size_)
     {
       const Vector way = touched - p; // The ball becomes one through both (J. Ma and others 2012).
-      radius = way.squared_length() / (2 * (way * inwards));
+      const double next = way.squared_length() / (2 * (way * inwards));
+      if(!(next < radius)) // by rounding, far from the origin
+        break;
+      radius = next;
       ball.center = p + radius * inwards;
       touched = tree_.closest_point(ball.center, touched);
     }

@@ -48,6 +48,12 @@ public:
       lines_(lines),
       result_(result)
   {
+    // Each vertex has an arc: the first line stays where all have become points, as where all is flat.
+    bool is_any_left = false;
+    for(Index chain = 0; chain != lines.lines().size(); ++chain)
+      is_any_left = is_any_left || !lines.has_gone(chain);
+    if(!is_any_left)
+      lines.lines().front().assign(2, lines.nodes().at(lines.ends().front()[0]).point);
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
       for(const Index end : lines.ends()[chain])
         degrees_[end] += lines.has_gone(chain) ? 0 : 1;
