@@ -360,7 +360,7 @@ BOOST_AUTO_TEST_CASE(tips_are_found_without_a_field)
   BOOST_TEST(none.empty());
 }
 
-// Of capsules and tori, whose graphs are alike wherever they begin, and whose first vertices can be anywhere.
+// Of a sphere, a torus, and a double one with noise, whose graphs can be alike wherever they begin.
 BOOST_AUTO_TEST_CASE(tips_do_not_depend_on_numbers_or_on_which_mesh_is_first)
 {
   const generated_surfaces::Triangle_soup plain[] = {generated_surfaces::closed_surface(0, 300),
