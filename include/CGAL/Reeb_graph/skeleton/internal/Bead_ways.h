@@ -52,7 +52,7 @@ protected:
   // Whether the surface does not meet a triangle of two beads and a place, other than in an end. Balls around beads are free.
   bool is_free(const Bead& a, const Bead& b, const Surface_place& c) const
   {
-    if(is_in_ball(b, a, c) || is_in_ball(a, b, c))
+    if(is_in_balls(a, b, c.point) || is_in_balls(b, a, c.point))
       return true;
     if(a.is_on_surface() || b.is_on_surface() || c.is_on_surface()) // no part of a loop
       return !tree_.is_crossed(a.place(), c) && !tree_.is_crossed(b.place(), c);
@@ -62,15 +62,27 @@ protected:
   // Whether the surface does not meet the edge between two beads, other than in an end.
   bool is_free(const Bead& a, const Bead& b) const
   {
-    return is_in_ball(a, a, b.place()) || is_in_ball(b, b, a.place()) || !tree_.is_crossed(a.place(), b.place());
+    return distance(a.point.point, b.point.point) < ball(a) + ball(b) || !tree_.is_crossed(a.place(), b.place());
   }
 
-  // Openings do not count in depths.
-  bool is_in_ball(const Bead& center, const Bead& other, const Surface_place& third) const
+  // Whether the balls of two beads hold a triangle of both and a point: that of the second one all but a corner, which is in that
+  // of the first one.
+  bool is_in_balls(const Bead& first, const Bead& second, const Point& third) const
   {
-    const double radius = (1 - 1e-6) * center.depth;
-    const Point& p = center.point.point;
-    return !tree_.has_openings() && distance(p, other.point.point) < radius && distance(p, third.point) < radius;
+    const Point &p = first.point.point, &q = second.point.point;
+    const double radius = ball(second), radius_of_first = ball(first);
+    const auto leaves_inside = [&](const Point& to) {
+      const double size = distance(p, to);
+      const Point exit = size > radius_of_first ? p + radius_of_first / size * (to - p) : to;
+      return distance(exit, q) < radius;
+    };
+    return distance(third, q) < radius && leaves_inside(q) && leaves_inside(third);
+  }
+
+  // The radius of a ball around a bead that neither the surface nor an opening meets.
+  double ball(const Bead& bead) const
+  {
+    return tree_.is_near_opening(bead.point.point, bead.depth) ? 0 : (1 - 1e-6) * bead.depth;
   }
 
   const Surface_tree& tree_;

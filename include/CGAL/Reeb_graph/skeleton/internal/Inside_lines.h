@@ -96,7 +96,7 @@ private:
   // Where triangles intersect, there can be no such place.
   bool bring_inside(Line_point& p) const
   {
-    if(tree_.is_well_inside(p.point, p.on_surface))
+    if(tree_.is_well_inside(p.point))
       return true;
     if(const auto inside = tree_.pulled_inside(p.point, p.on_surface))
       p.point = *inside;

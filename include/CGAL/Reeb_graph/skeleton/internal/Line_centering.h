@@ -99,7 +99,7 @@ private:
   void move_all(const Stage_progress& progress)
   {
     for(const auto& [node, ends] : ends_of_nodes_)
-      if(!beads_[node].is_on_surface() && !is_outside(node) && !beads_[node].is_settled)
+      if(!beads_[node].is_on_surface() && !beads_[node].is_settled && !is_outside(node))
         move_node(node);
     std::size_t number = 0;
     for(const Line& line : lines_)

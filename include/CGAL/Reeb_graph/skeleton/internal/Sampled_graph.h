@@ -225,9 +225,6 @@ public:
             augmentation_.contour_below(descriptors_[arc], vertex(ends(arc)[1])).edges};
   }
 
-  // The number of edges that have been crossed by contours.
-  std::size_t number_of_crossings() const { return number_of_crossings_; }
-
 private:
   typedef Flat_field<Mesh, double> Flat;
   typedef Reeb_graph_traits<Mesh, Flat>::Graph Graph;
@@ -251,7 +248,6 @@ private:
   {
     points_.clear();
     augmentation_.points_of_contour(contour, std::back_inserter(points_));
-    number_of_crossings_ += points_.size();
     return {measure(points_), points_.front()};
   }
 
@@ -263,7 +259,6 @@ private:
   std::vector<Arc> arcs_;
   std::vector<std::vector<Index>> arcs_of_nodes_;
   mutable std::vector<Point> points_;
-  mutable std::size_t number_of_crossings_ = 0;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

@@ -76,13 +76,15 @@ public:
       if(collinear(a, b, c) || !(cross_product(b - a, c - a).squared_length() > 0))
         continue;
       all.push_back(f);
-      if(!(are_borders_openings && is_of_opening(component, f)))
-        walls_.push_back({to_rounded(a), to_rounded(b), to_rounded(c)});
+      const bool is_wall = !(are_borders_openings && is_of_opening(component, f));
+      (is_wall ? walls_ : openings_).push_back({to_rounded(a), to_rounded(b), to_rounded(c)});
     }
     is_inward_ = volume < 0;
     tree_.insert(all.begin(), all.end(), mesh_);
     build(tree_, [&](const auto& face) { return corners(face.id())[0]; });
-    has_openings_ = walls_.size() != all.size() && !walls_.empty();
+    if(walls_.empty())
+      walls_.swap(openings_);
+    opening_tree_.insert(openings_.cbegin(), openings_.cend());
     wall_tree_.insert(walls_.cbegin(), walls_.cend());
     build(wall_tree_, [](const auto& wall) { return (*wall.id())[0]; });
     const Bbox_3 box = CGAL::bbox_3(mesh_.points().begin(), mesh_.points().end());
@@ -118,7 +120,7 @@ public:
   bool has_area() const { return !tree_.empty(); }
 
   // Whether distances are those from less than the whole surface.
-  bool has_openings() const { return has_openings_; }
+  bool has_openings() const { return !openings_.empty(); }
 
   // Whether a line from a point in the direction of an axis crosses the surface an odd number of times. The line is moved by
   // less than any number, so that it passes no edge: exact signs decide for every surface and every point.
@@ -142,6 +144,14 @@ public:
     return tree_.do_intersect(Kernel::Iso_cuboid_3(p - corner, p + corner));
   }
 
+  // Whether an opening meets such a cube.
+  bool is_near_opening(const Point& p, double distance) const
+  {
+    const Rounded_kernel::Vector_3 corner(distance, distance, distance);
+    const auto q = to_rounded(p);
+    return has_openings() && opening_tree_.do_intersect(Rounded_kernel::Iso_cuboid_3(q - corner, q + corner));
+  }
+
   // The distance from the surface without openings.
   double distance_from_wall(const Point& p, const Point& hint) const
   {
@@ -152,10 +162,9 @@ public:
   // times for each point. The surface has area.
   Point closest_on_wall(const Point& p, const Point& hint) const
   {
-    if(walls_.empty())
-      return tree_.closest_point(p, hint);
     const auto q = to_rounded(p);
-    const auto found = has_openings_ ? wall_tree_.closest_point(q) : wall_tree_.closest_point(q, to_rounded(hint));
+    const bool is_of_wall = !is_near_opening(hint, 1e-9 * size_);
+    const auto found = is_of_wall ? wall_tree_.closest_point(q, to_rounded(hint)) : wall_tree_.closest_point(q);
     return {found.x(), found.y(), found.z()};
   }
 
@@ -242,10 +251,7 @@ public:
   }
 
   // Whether a point is inside, and farther from the surface than by rounding.
-  bool is_well_inside(const Point& p, const Point& hint) const
-  {
-    return is_inside(p) && distance_from(p, hint) > 1e-9 * size_;
-  }
+  bool is_well_inside(const Point& p) const { return is_inside(p) && !is_near(p, 1e-9 * size_); }
 
   // A point inside near one that is not, or hardly: in the middle between the closest point of the surface and what is seen
   // from there, away from the point or straight into the surface; or else right beneath a face.
@@ -558,9 +564,8 @@ private:
 
   const Mesh& mesh_;
   Tree tree_;
-  Walls walls_; // the surface without its openings
-  AABB_tree<Wall_traits> wall_tree_;
-  bool has_openings_ = false;
+  Walls walls_, openings_; // the surface without its openings, and these
+  AABB_tree<Wall_traits> wall_tree_, opening_tree_;
   bool is_inward_ = false, is_flat_ = false;
   double size_ = 0; // of the bounding box
   int axis_ = 0;    // of the lines that tell what is inside
