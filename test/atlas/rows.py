@@ -25,7 +25,7 @@ POWERS |= {"contour_length": 1, "spread": 1}
 # How much may change where what is computed is no exact number of the shape, as a share.
 ROOMS = {"skeleton": 0.1, "py_skeleton": 0.1, "handles": 0.03, "py_handles": 0.03}
 # What holds for each shape, beside that what begins with is_ or are_ is true.
-RULES = dict.fromkeys(("contractible_loops", "vertices_outside", "crossing_edges", "radii_of_0", "long_steps", "vertices_wrong", "distances_to_itself"), 0)
+RULES = dict.fromkeys(("contractible_loops", "vertices_outside", "crossing_edges", "radii_of_0", "long_steps", "doubled_points", "vertices_wrong", "distances_to_itself"), 0)
 CERTIFICATE = ("contractible_loops", "vertices_outside", "crossing_edges")
 RULES |= {"borders_not_level": 0, "genus_left": 0, "range_of_it": 1.0}
 
@@ -173,6 +173,7 @@ def py_skeleton(case):
     allowed = 0.75 * np.maximum(lines.radii[lines.edges].max(axis=1) / case.unit, floor)
     result = {name: lines.counts[name] for name in ("ends", "loops", "junctions", *CERTIFICATE) if name in case.truths or name in RULES}
     result |= {"length": steps.sum() * case.unit} if "length" in case.truths else {}
+    result |= {} if case.measured["borders"] or case.truths["repair"] else {"doubled_points": len(points) - len(np.unique(points, axis=0))}
     return result | {"long_steps": int((steps > allowed).sum())}
 
 def cut_by_program(case, kind):

@@ -95,6 +95,15 @@ def bent_tube(fine):
     angles, bend = np.linspace(0, pi, 20 * fine), 4
     line = bend * np.stack([cos(angles), 0 * angles, sin(angles)], axis=1)
     return round_tube(line, pi * bend, 1, 14 * fine, critical=(2, 1, 1))
+@plain("one_end_open", "open")
+def open_bend(fine, ends):
+    """A bend that reaches its opening, beside which no way across that is short."""
+    angles, bend = np.linspace(0, 3, 48 * fine), 3.5
+    line = bend * np.stack([cos(angles), 0 * angles, sin(angles)], axis=1)
+    borders, radii = 1 + (ends == "open"), np.ones(len(line))
+    if borders == 1:
+        line, radii = np.concatenate([line[:1], line]), np.concatenate([[0], radii])
+    return tube(line, radii, 32 * fine), dict(borders=borders, border_ends=borders, limbs=2, ends=2, length=about(3 * bend, 0.1))
 @plain()
 def helix(fine):
     bend, rise, turns = 2.5, 3, 1.5
@@ -149,6 +158,19 @@ def letter_y(fine):
     length = sum(np.linalg.norm(tip) + 0.8 for tip in tips)
     truths = dict(limbs=3, ends=3, junctions=1, length=about(length, 0.08), order=2)
     return implicit(function, (-5, -2, -6), (5, 2, 5), 0.5 / fine), truths
+@plain()
+def star(fine):
+    """Arms that meet at one place: junctions there become one, from which no two lines lead the same way."""
+    tips = 4 * np.array([(0.5, 0.8, 0.3), (-0.9, 0.4, 0.2), (0.1, -0.6, 0.8), (0.4, -0.3, -0.9), (0.9, -0.4, 0.2)])
+    function = union(*(rod((0, 0, 0), tuple(tip), 0.6) for tip in tips))
+    length = about(sum(np.linalg.norm(tips, axis=1)) + 5 * 0.6, 0.1)
+    return implicit(function, (-5, -5, -5), (5, 5, 5), 0.5 / fine), dict(limbs=5, ends=5, length=length)
+@plain()
+def hubs(fine):
+    """Two places that four arms join."""
+    middles = [(5, 5, 0), (5, 0, 5), (5, -5, 0), (5, 0, -5)]
+    function = union(*(rod(place, middle, 0.55) for middle in middles for place in [(0, 0, 0), (10, 0, 0)]))
+    return implicit(function, (-2, -7, -7), (12, 7, 7), 0.54 / fine), dict(genus=3, length=about(8 * sqrt(50), 0.1))
 @plain()
 def ring_with_two_branches(fine):
     function = union(ring((0, 0, 0), 3, 0.7), rod((3, 0, 0), (6, 0, 0), 0.7), rod((-3, 0, 0), (-4, 0, 3), 0.7))

@@ -146,7 +146,7 @@ private:
     double radius = 0, protrusion = std::numeric_limits<double>::infinity();
     std::vector<Contour_sample> samples, farther;
     const auto compare = [&](const Point& center, const Point& hint) {
-      const double inscribed = tree_.distance_from(center, hint);
+      const double inscribed = tree_.distance_from_wall(center, hint);
       radius = (std::max)(radius, inscribed); // Fronts about to meet have a contour that folds around the tube.
       protrusion = (std::min)(protrusion, distance(top, center) - inscribed);
     };
@@ -206,7 +206,7 @@ private:
   bool is_across_tube(const Branch& branch, Index tip, double contour_length) const
   {
     const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
-    const double inscribed = tree_.distance_from(CGAL::midpoint(top, bottom), top);
+    const double inscribed = tree_.distance_from_wall(CGAL::midpoint(top, bottom), top);
     return distance(top, bottom) / 2 < (1 + ratio_ / 2) * inscribed && contour_length > 3 * pi * inscribed;
   }
 
@@ -275,7 +275,7 @@ private:
     {
       const double step = depth * i / number_of_steps;
       const Point center = graph_.point(tip) + step * inwards;
-      const double inscribed = tree_.distance_from(center, graph_.point(tip));
+      const double inscribed = tree_.distance_from_wall(center, graph_.point(tip));
       if(step - inscribed < ratio_ / 2 * inscribed && persistence < 2 * ratio_ * inscribed)
         return true;
     }

@@ -242,9 +242,23 @@ private:
         std::reverse(added.begin(), added.end());
       line.beads.erase(end.is_last ? line.beads.end() - 1 : line.beads.begin());
       line.beads.insert(end.is_last ? line.beads.end() : line.beads.begin(), added.begin(), added.end());
+      go_straight(end, path.size() - 1);
       kept.push_back(end);
     }
     ends_of_nodes_.erase(path.back());
+  }
+
+  // Leaves out as many of so many beads beside an end as the surface allows, as other lines pass the same places.
+  void go_straight(const End_of_line& end, std::size_t most)
+  {
+    Numbers& beads = lines_[end.line].beads;
+    const std::size_t least = beads.front() == beads.back() ? 4 : 2;
+    for(; most != 0 && beads.size() > least; --most)
+    {
+      if(!is_free(beads_[from_end(end, 0)], beads_[from_end(end, 1)], beads_[from_end(end, 2)].place()))
+        return;
+      beads.erase(end.is_last ? beads.end() - 2 : beads.begin() + 1);
+    }
   }
 
   // Joins lines from where they part at a junction as long as they are within a quarter of the distance from the surface.

@@ -21,6 +21,7 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Edge_walk.h>
 #include <CGAL/compute_reeb_graph.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -93,6 +94,17 @@ inline Mesh::Vertex_index apex_beside(const Filled_component& component, Mesh::V
   return v;
 }
 
+// A place far beyond an opening, to which the size of the surface is about 1: as if a long tube ended there.
+inline Point far_beyond(const Mesh& mesh, Mesh::Vertex_index apex)
+{
+  const Point& p = mesh.point(apex);
+  Vector sum = NULL_VECTOR;
+  for(const auto h : CGAL::halfedges_around_target(apex, mesh))
+    sum = sum + cross_product(mesh.point(mesh.source(h)) - p, mesh.point(mesh.target(mesh.next(h))) - p);
+  const double size = length(sum);
+  return size > 0 ? p + 64 / size * sum : p;
+}
+
 // Makes the apex of a border a leaf of the graph: a maximum, or, where the surface rises from the border, a minimum.
 inline void raise_apex(const Filled_component& component, const Filled_border& border, bool may_be_minimum, Field field)
 {
@@ -125,8 +137,12 @@ inline Mesh::Vertex_index write_distances(Filled_component& component,
   auto tip = find_tip(mesh, progress.part(0, 0.3));
   if(are_borders_ends)
     tip = apex_beside(component, tip);
+  // Fronts do not take the short way across other openings, else they meet again on what is bent, at tips of nothing.
+  const auto point_map = boost::make_function_property_map<Mesh::Vertex_index, Point>([&](Mesh::Vertex_index v) {
+    return are_borders_ends && v != tip && component.is_apex(v) ? far_beyond(mesh, v) : mesh.point(v);
+  });
   compute_geodesic_field(mesh, field, std::array<Mesh::Vertex_index, 1>{tip},
-                         parameters::callback(progress.part(0.3, 1).callback()));
+                         parameters::vertex_point_map(point_map).callback(progress.part(0.3, 1).callback()));
   for(const Filled_border& border : component.borders)
     if(are_borders_ends && border.apex != tip)
       raise_apex(component, border, false, field);

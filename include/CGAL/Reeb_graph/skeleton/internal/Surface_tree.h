@@ -131,12 +131,6 @@ public:
     return crossings.is_odd() && !crossings.is_on_surface();
   }
 
-  // The distance from the surface, which has a point near `p`.
-  double distance_from(const Point& p, const Point& hint) const
-  {
-    return has_area() ? distance(p, tree_.closest_point(p, hint)) : 0;
-  }
-
   // Whether the surface meets a cube around a point, whose sides are so far away.
   bool is_near(const Point& p, double distance) const
   {
