@@ -48,12 +48,6 @@ protected:
     bool is_last;
   };
 
-  std::size_t add_bead(const Line_point& point)
-  {
-    beads_.push_back(make_bead(point));
-    return beads_.size() - 1;
-  }
-
   Bead_lines(const Graph_chains& chains, const Surface_tree& tree, Skeleton_lines& lines, double smooth)
     : Bead_ways(tree),
       smooth_(smooth),
@@ -61,18 +55,18 @@ protected:
   {
     for(const auto& [index, node] : lines.nodes())
     {
-      numbers_[index] = add_bead(node.point);
-      Bead& bead = beads_.back();
-      bead.vertex = node.vertex;
-      if(node.kind == Line_end::TIP)
-        bead.depth = 0;
+      numbers_[index] = beads_.size();
+      beads_.push_back(make_bead(node));
     }
     const Loop_linking loops(lines.ends());
     for(Index chain = 0; chain != lines.lines().size(); ++chain)
     {
       Numbers beads = {numbers_.at(lines.ends()[chain][0])};
       for(const Line_point& point : lines.lines()[chain])
-        beads.push_back(add_bead(point));
+      {
+        beads.push_back(beads_.size());
+        beads_.push_back(make_bead(point));
+      }
       beads.push_back(numbers_.at(lines.ends()[chain][1]));
       add_pieces(with_ways_to_crossings(beads, chains.chains()[chain].length), chains.chains()[chain].length,
                  loops.is_on_cycle(chain));
@@ -316,12 +310,10 @@ protected:
   // A bead between two of a line. It goes on at their pace.
   Bead between(const Numbers& line, std::size_t i, double t, const std::array<double, 2>& of_ends) const
   {
-    const Bead &a = beads_[line[i]], &b = beads_[line[i + 1]];
-    Line_point point = a.point;
-    point.point = a.point.point + t * (b.point.point - a.point.point);
-    point.radius = (1 - t) * a.point.radius + t * b.point.radius;
-    point.place = (1 - t) * place(line, i, of_ends) + t * place(line, i + 1, of_ends);
-    Bead bead = make_bead(point);
+    Bead a = beads_[line[i]], b = beads_[line[i + 1]];
+    a.point.place = place(line, i, of_ends);
+    b.point.place = place(line, i + 1, of_ends);
+    Bead bead = Bead_ways::between(a, b, t);
     bead.pace = std::clamp((std::max)(a.pace, b.pace), 0.05, bead.pace);
     return bead;
   }

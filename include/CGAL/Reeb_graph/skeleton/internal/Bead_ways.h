@@ -49,6 +49,26 @@ protected:
     return bead;
   }
 
+  Bead make_bead(const Skeleton_lines::Node& node) const
+  {
+    Bead bead = make_bead(node.point);
+    bead.vertex = node.vertex;
+    bead.face = node.face;
+    if(node.kind == Line_end::TIP)
+      bead.depth = 0;
+    return bead;
+  }
+
+  // A bead on the way from one to another one.
+  Bead between(const Bead& a, const Bead& b, double t) const
+  {
+    Line_point point = a.point;
+    point.point = a.point.point + t * (b.point.point - a.point.point);
+    point.radius = (1 - t) * a.point.radius + t * b.point.radius;
+    point.place = (1 - t) * a.point.place + t * b.point.place;
+    return make_bead(point);
+  }
+
   // Whether the surface does not meet a triangle of two beads and a place, other than in an end. Balls around beads are free.
   bool is_free(const Bead& a, const Bead& b, const Surface_place& c) const
   {

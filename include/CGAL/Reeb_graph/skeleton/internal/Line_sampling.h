@@ -63,24 +63,14 @@ private:
     return lines_.nodes().at(lines_.ends()[chain][is_last ? 1 : 0]);
   }
 
-  Bead bead_of(const Skeleton_lines::Node& node, double place) const
-  {
-    Bead bead = make_bead(node.point);
-    bead.point.place = place;
-    bead.vertex = node.vertex;
-    bead.face = node.face;
-    if(node.kind == Line_end::TIP)
-      bead.depth = 0;
-    return bead;
-  }
-
   Beads beads_of(Index chain) const
   {
-    Beads beads = {bead_of(end(chain, false), 0)};
+    Beads beads = {make_bead(end(chain, false))};
     for(const Line_point& point : lines_.lines()[chain])
       beads.push_back(make_bead(point));
-    const bool has_places = chain < chains_.chains().size();
-    beads.push_back(bead_of(end(chain, true), has_places ? chains_.chains()[chain].length : 0));
+    beads.push_back(make_bead(end(chain, true)));
+    beads.front().point.place = 0;
+    beads.back().point.place = chain < chains_.chains().size() ? chains_.chains()[chain].length : 0;
     return beads;
   }
 
@@ -163,11 +153,7 @@ private:
   // A bead between two, with its radius.
   Bead between(const Bead& a, const Bead& b, double t) const
   {
-    Line_point point = a.point;
-    point.point = a.point.point + t * (b.point.point - a.point.point);
-    point.radius = (1 - t) * a.point.radius + t * b.point.radius;
-    point.place = (1 - t) * a.point.place + t * b.point.place;
-    Bead bead = make_bead(point);
+    Bead bead = Bead_ways::between(a, b, t);
     measure(b.point.point - a.point.point, bead);
     return bead;
   }

@@ -80,17 +80,14 @@ inline Mesh::Vertex_index find_tip(const Mesh& mesh, const Stage_progress& progr
   return is_limb_from(second, 0.1) && !is_limb_from(first, 0.1) && is_limb_from(first, 0.25) ? first : second;
 }
 
-// The apex of the border that a vertex is on, or else the vertex.
+// The apex of the border that a vertex is on, or near the opening of, or else the vertex.
 inline Mesh::Vertex_index apex_beside(const Filled_component& component, Mesh::Vertex_index v)
 {
-  const auto first = component.mesh.halfedge(v);
-  auto h = first;
-  do
-  {
-    if(component.is_apex(component.mesh.source(h)))
-      return component.mesh.source(h);
-    h = component.mesh.opposite(component.mesh.next(h));
-  } while(h != first);
+  const auto point = [&](Mesh::Vertex_index u) { return component.mesh.point(u); };
+  for(const Filled_border& border : component.borders)
+    if(distance(point(v), point(border.apex)) < 1.5 * border.radius
+       || std::find(border.rim.begin(), border.rim.end(), v) != border.rim.end())
+      return border.apex;
   return v;
 }
 
