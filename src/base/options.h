@@ -43,7 +43,7 @@ struct Input_options
 
 inline std::vector<std::filesystem::path> input_files(const Input_options& options)
 {
-  return input_files(options.mesh_path, options.scalars_path);
+  return input_files({options.mesh_path}, {options.scalars_path});
 }
 
 // What decides the graph. The same options give the same numbers of nodes and arcs.

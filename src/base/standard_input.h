@@ -9,6 +9,7 @@
 #ifndef CGAL_REEB_GRAPH_SRC_STANDARD_INPUT_H
 #define CGAL_REEB_GRAPH_SRC_STANDARD_INPUT_H
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -42,9 +43,13 @@ inline std::string name_of_input(const std::string& path)
 
 // The files that are read, for checks of outputs. A path is empty if there is none. Throws std::runtime_error if
 // --format does not go with them.
-inline std::vector<std::filesystem::path> input_files(const std::string& mesh_path, const std::string& scalars_path)
+inline std::vector<std::filesystem::path> input_files(const std::vector<std::string>& mesh_paths,
+                                                      const std::vector<std::string>& scalars_paths)
 {
-  const bool is_mesh = is_standard_input(mesh_path), is_field = is_standard_input(scalars_path);
+  const auto is_among = [](const std::vector<std::string>& paths) {
+    return std::any_of(paths.begin(), paths.end(), is_standard_input);
+  };
+  const bool is_mesh = is_among(mesh_paths), is_field = is_among(scalars_paths);
   if(is_mesh && is_field)
     throw std::runtime_error("MESH and --scalars cannot both be standard input");
   if(is_mesh && extension_of_standard_input().empty())
@@ -52,8 +57,11 @@ inline std::vector<std::filesystem::path> input_files(const std::string& mesh_pa
                              "vtk, vtu, or vtp");
   if(!is_mesh && !is_field && !extension_of_standard_input().empty())
     throw std::runtime_error("--format goes with standard input only, which is named -");
-  const char* const device = "/dev/stdin";
-  return {is_mesh ? device : mesh_path, is_field ? device : scalars_path};
+  std::vector<std::filesystem::path> files;
+  for(const std::vector<std::string>* paths : {&mesh_paths, &scalars_paths})
+    for(const std::string& path : *paths)
+      files.push_back(is_standard_input(path) ? "/dev/stdin" : path);
+  return files;
 }
 
 } // namespace reeb_graph_program

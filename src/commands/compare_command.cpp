@@ -76,24 +76,19 @@ std::vector<Input_options> inputs_of(const Compare_options& options)
   return inputs;
 }
 
-std::vector<std::filesystem::path> check_options(const Compare_options& options,
-                                                 const std::vector<Input_options>& inputs)
+std::vector<std::filesystem::path> check_options(const Compare_options& options)
 {
-  if(!options.page_path.empty() && inputs.size() != 2)
-    throw std::runtime_error("--html shows two meshes, not " + std::to_string(inputs.size()));
+  if(!options.page_path.empty() && options.mesh_paths.size() != 2)
+    throw std::runtime_error("--html shows two meshes, not " + std::to_string(options.mesh_paths.size()));
   if(!(options.price_alone >= 0))
     throw std::runtime_error("--price-alone must not be negative or NaN");
   check_page(options.page_path, options.up);
   check_matrix_format(options.matrix_path);
   check_simplification_options(options.simplification);
-  std::vector<std::filesystem::path> read;
-  for(const Input_options& input : inputs)
-    for(const std::filesystem::path& path : input_files(input))
-      read.push_back(path);
-  if(std::count(read.begin(), read.end(), std::filesystem::path("/dev/stdin")) > 1)
+  if(std::count_if(options.mesh_paths.begin(), options.mesh_paths.end(), is_standard_input) > 1)
     throw std::runtime_error("only one input can be standard input");
   const std::vector<std::filesystem::path> outputs = {options.matrix_path, options.page_path};
-  check_outputs(outputs, read);
+  check_outputs(outputs, input_files(options.mesh_paths, options.scalars_paths));
   return outputs;
 }
 
@@ -121,7 +116,12 @@ void choose_sources(std::deque<Shape>& shapes, Comparison_report& report)
                                         "--source"
                                       : "sources are the tips that are most alike");
   for(std::size_t i = 0; i != tips.size(); ++i)
+  {
     shapes[i].input.source_vertices = {tips[i]};
+    for(const auto v : surfaces[i]->vertices())
+      if(surfaces[i]->is_isolated(v))
+        shapes[i].input.source_vertices.push_back(v);
+  }
 }
 
 void compute(Shape& shape, const Compare_options& options, Report& report)
@@ -137,17 +137,17 @@ void compute(Shape& shape, const Compare_options& options, Report& report)
     count_simplified(shape.graph->result(), shape.graph->threshold(), report);
 }
 
-// The arc that begins at the only source.
+// The only arc that begins at a source.
 std::optional<std::size_t> arc_at_source(const Shape& shape, const Report& report)
 {
-  const auto& fixed = report.fixed_values;
-  if(!fixed || fixed->vertices.size() != 1 || fixed->vertices.front().value != 0)
-    return std::nullopt;
+  std::vector<std::size_t> arcs;
   const Graph& graph = shape.graph->result();
   for(const auto arc : CGAL::make_range(edges(graph)))
-    if(graph[source(arc, graph)].vertex.idx() == fixed->vertices.front().vertex)
-      return get(boost::edge_index, graph, arc);
-  return std::nullopt;
+    for(const auto& [vertex, value] :
+        report.fixed_values ? report.fixed_values->vertices : std::vector<Fixed_values::Place>())
+      if(value == 0 && graph[source(arc, graph)].vertex.idx() == vertex)
+        arcs.push_back(get(boost::edge_index, graph, arc));
+  return arcs.size() == 1 ? std::optional(arcs.front()) : std::nullopt;
 }
 
 void match(Shape& a, Shape& b, double price_alone, Comparison_report& report)
@@ -200,7 +200,7 @@ void write_files(const Compare_options& options, std::deque<Shape>& shapes, Comp
 void run_compare(const Compare_options& options)
 {
   const std::vector<Input_options> inputs = inputs_of(options);
-  const std::vector<std::filesystem::path> outputs = check_options(options, inputs);
+  const std::vector<std::filesystem::path> outputs = check_options(options);
   Comparison_report report;
   report.names = names_of(options.mesh_paths);
   report.field = field_label(inputs.front(), "").name;

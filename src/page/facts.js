@@ -70,7 +70,8 @@ class Facts {
     first.append(skeleton ? " is where lines end or meet. In the plane, a node is as high as the way to it along the"
       + " lines is long, from the lowest node of its component." : " is where contours begin, join, split or end.");
     if (this.loops > 0) {
-      addElement(text, "p", "A loop goes around a handle or hole of the surface. This surface has "
+      addElement(text, "p", "A loop goes around a handle or hole of the surface. "
+        + (this.data.partners ? "These surfaces have " : "This surface has ")
         + (this.loops === 1 ? "one." : this.loops.toLocaleString("en") + "."));
     }
     if (this.data.partners) {

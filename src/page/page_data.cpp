@@ -189,6 +189,8 @@ Page_frame::Page_frame(const Surface& surface)
     return;
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
   const double size = largest_extent(box);
+  if(size > 0 && size < 1 / largest_coordinate)
+    throw std::runtime_error("a page shows no surface of a size below 1e-30");
   constexpr double far_away = 10; // sizes
   for(int i = 0; i != 3; ++i)
     if((std::max)(std::abs(box.min(i)), std::abs(box.max(i))) > far_away * size)

@@ -88,11 +88,11 @@ std::string_view write_up_to(std::ostream& stream,
   return page.substr(position + marker.size());
 }
 
-void write_data(const fs::path& path, const nlohmann::ordered_json& data)
+void write_data(const fs::path& path, const nlohmann::ordered_json& data, const std::string& title)
 {
   const std::string text = script_text(data);
   write_file(path, [&](std::ostream& stream) {
-    const std::string_view body = write_up_to(stream, page_template(), "<!-- title -->", html_text(data["title"]));
+    const std::string_view body = write_up_to(stream, page_template(), "<!-- title -->", html_text(title));
     stream << write_up_to(stream, body, "<!-- data -->", text);
   });
 }
@@ -134,19 +134,19 @@ void write_page(const fs::path& path, const Page_request& request)
   data["graph"]["is_simplified"] = threshold.has_value();
   data["graph"]["arcs_of_input"] = num_edges(wanted);
   data["graph"]["threshold"] = threshold.value_or(0);
-  write_data(path, data);
+  write_data(path, data, request.title);
 }
 
 void write_page(const fs::path& path, const Page_of_skeleton& page)
 {
   const Progress_bar progress_bar("page");
-  write_data(path, page_data(page));
+  write_data(path, page_data(page), page.title);
 }
 
 void write_page(const fs::path& path, const Page_of_shapes& page)
 {
   const Progress_bar progress_bar("page");
-  write_data(path, page_data(page));
+  write_data(path, page_data(page), page.a.title + " and " + page.b.title);
 }
 
 } // namespace reeb_graph_program

@@ -278,8 +278,41 @@ BOOST_AUTO_TEST_CASE(prices_are_known)
   BOOST_TEST(Arc::price(limb, limb) == 0);
   BOOST_TEST(Arc::price(limb, {false, false, 0.5, 1, 0.25, 0.5}) == 0.5);
   BOOST_TEST(Arc::price(limb, {true, false, 0.5, 1, 0.25, 0.5}) == 1);
-  BOOST_TEST(Arc::price(limb, {false, true, 0.25, 0.5, 0.25, 0.5}) == 0.75);
-  BOOST_TEST(Arc::price({false, true, 0.5, 1, 0.75, 1}, limb) == 0.5);
+  const auto tolerance = boost::test_tools::tolerance(1e-12); // Each difference has a millionth of its square more.
+  BOOST_TEST(Arc::price(limb, {false, true, 0.25, 0.5, 0.25, 0.5}) == 0.75 + 0.3125e-6, tolerance);
+  BOOST_TEST(Arc::price({false, true, 0.5, 1, 0.75, 1}, limb) == 0.5 + 0.25e-6, tolerance);
+}
+
+// The differences of lengths 1 and 2 from 3 and 4 have the sum 4, whoever is whose partner.
+BOOST_AUTO_TEST_CASE(equal_sums_are_told_apart_whatever_the_order)
+{
+  typedef CGAL::Reeb_graph::internal::Compared_arc Arc;
+  const auto arc = [](double length) { return Arc{false, true, 0.5, 1, length, 0.5}; };
+  const std::vector<Arc> a = {arc(0.1), arc(0.2)}, b = {arc(0.3), arc(0.4)}, turned = {arc(0.4), arc(0.3)};
+  const auto partners = [](const std::vector<Arc>& first, const std::vector<Arc>& second) {
+    return CGAL::Reeb_graph::internal::match(first, second, 1).partners;
+  };
+  const std::vector<std::size_t> same = {0, 1}, other = {1, 0};
+  BOOST_TEST(partners(a, b) == same);
+  BOOST_TEST(partners(b, a) == same);
+  BOOST_TEST(partners(a, turned) == other);
+  BOOST_TEST(partners(turned, a) == other);
+}
+
+BOOST_AUTO_TEST_CASE(a_high_price_leaves_no_more_alone_than_it_must)
+{
+  const Compared_body a = body(0, 0), b = body(4, 2);
+  typedef boost::graph_traits<Graph>::edge_descriptor Arc;
+  std::vector<std::pair<Arc, Arc>> expected;
+  for(const double price : {1e4, 1e20, infinity})
+  {
+    std::vector<std::pair<Arc, Arc>> found;
+    CGAL::Reeb_graph::match_arcs(a.graph, a.augmentation(), b.graph, b.augmentation(), std::back_inserter(found),
+                                 CGAL::parameters::price_alone(price));
+    BOOST_TEST(found.size() == (std::min)(num_edges(a.graph), num_edges(b.graph)));
+    BOOST_TEST((expected.empty() || found == expected));
+    expected = found;
+  }
 }
 
 BOOST_AUTO_TEST_CASE(limbs_are_partners_of_limbs)
@@ -353,6 +386,9 @@ BOOST_AUTO_TEST_CASE(tips_are_found_without_a_field)
     originals[numbers[v]] = v;
   for(const Pair& pair : renumbered) // not of another limb, nor elsewhere on this one
     BOOST_TEST((a.mesh.point(pair.tip_a) - a.mesh.point(originals[pair.tip_b])).squared_length() < 0.01);
+  Compared_body with_a_point = body(2, 27);
+  with_a_point.mesh.add_vertex(a.mesh.point(a.top_of_head)); // of no face
+  BOOST_TEST((match(a, with_a_point).front().tip_b == match(a, b).front().tip_b));
   Mesh two = a.mesh;
   two += b.mesh;
   std::vector<Pair> none;
@@ -408,11 +444,11 @@ BOOST_AUTO_TEST_CASE(units_numbers_and_order_change_no_partner)
   Random random(1);
   auto numbers = own_numbers(posed.parts.size());
   random.shuffle(numbers);
-  const Compared_body other(posed, 1e150, numbers);
-  auto found = matched_leaves(a, other), turned = matched_leaves(b, a);
+  auto turned = matched_leaves(b, a);
   for(auto& [leaf_a, leaf_b] : expected)
     leaf_b = numbers[leaf_b];
-  BOOST_TEST((found == expected));
+  for(const double unit : {1e-200, 1e150, 1e200})
+    BOOST_TEST((matched_leaves(a, Compared_body(posed, unit, numbers)) == expected));
   for(auto& [leaf_b, leaf_a] : turned)
     std::swap(leaf_b = numbers[leaf_b], leaf_a);
   std::sort(expected.begin(), expected.end());

@@ -12,6 +12,7 @@
 #include "curve_samples.h"
 
 #include <CGAL/Reeb_graph/Augmentation.h>
+#include <CGAL/Reeb_graph/arc_measures.h>
 #include <CGAL/Reeb_graph/curves/Refinement_visitor.h>
 #include <CGAL/Reeb_graph/embed.h>
 #include <CGAL/Reeb_graph/simplification/simplify.h>
@@ -571,6 +572,38 @@ BOOST_AUTO_TEST_CASE(differences_of_values_can_be_infinite)
   }
   const CGAL::Reeb_graph::Linear_interpolation interpolation;
   BOOST_TEST(interpolation(-1.5e308, 1.6e308, 0.5) == 0.05e308, boost::test_tools::tolerance(1e-12));
+}
+
+// Lengths times coordinates, and areas, are beyond the range of numbers.
+BOOST_AUTO_TEST_CASE(places_and_means_are_the_same_in_any_unit)
+{
+  for(const int exponent : {-660, -340, 340, 660})
+    BOOST_TEST_CONTEXT("unit 2^" << exponent)
+    {
+      Sample sample = curve_samples::smooth_sample(1, 200, 0);
+      const Embedded_sample<Surface_mesh> s(sample);
+      for(auto& point : sample.soup.points)
+        for(double& coordinate : point)
+          coordinate = std::scalbn(coordinate, exponent);
+      const Embedded_sample<Surface_mesh> scaled(sample);
+      const auto lines = s.embedded(Embedding_manner::CENTROIDS).arc_polylines,
+                 scaled_lines = scaled.embedded(Embedding_manner::CENTROIDS).arc_polylines;
+      BOOST_REQUIRE(lines.size() == scaled_lines.size());
+      double distance = 0;
+      for(std::size_t i = 0; i != lines.size(); ++i)
+      {
+        Polyline line;
+        for(const Point& p : scaled_lines[i])
+          line.emplace_back(std::scalbn(p.x(), -exponent), std::scalbn(p.y(), -exponent),
+                            std::scalbn(p.z(), -exponent));
+        distance = (std::max)(distance, distance_of_lines(lines[i], line));
+      }
+      BOOST_TEST(distance < 1e-14);
+      const auto means = [](const auto& sample_) {
+        return CGAL::Reeb_graph::arc_mean_values(sample_.augmentation, sample_.augmentation.locate_vertices());
+      };
+      BOOST_TEST((means(scaled) == means(s)));
+    }
 }
 
 // Long contours make lines straight, unless centroids are asked for.

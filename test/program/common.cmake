@@ -27,6 +27,15 @@ function(run)
   set(error "${error}" PARENT_SCOPE)
 endfunction()
 
+# The same with a file as standard input.
+function(run_on_input file)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} WORKING_DIRECTORY ${FOLDER} INPUT_FILE ${FOLDER}/${file}
+                  RESULT_VARIABLE exit_code OUTPUT_VARIABLE output ERROR_VARIABLE error)
+  set(exit_code ${exit_code} PARENT_SCOPE)
+  set(output "${output}" PARENT_SCOPE)
+  set(error "${error}" PARENT_SCOPE)
+endfunction()
+
 macro(expect_success)
   run(${ARGN})
   if(NOT exit_code STREQUAL "0" OR NOT error STREQUAL "")

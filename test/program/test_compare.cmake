@@ -135,7 +135,7 @@ expect_match("${output}" "distances\n         double_torus.off: 0 ")
 run(compare double_torus.off genus_3.off --field x --simplify auto --html page.html)
 if(exit_code STREQUAL "0")
   file(READ ${FOLDER}/page.html page)
-  expect_match("${page}" "<title>double_torus.off</title>")
+  expect_match("${page}" "<title>double_torus.off and genus_3.off</title>")
   expect_match("${page}" "\"other\":{.*\"title\":\"genus_3.off\".*\"partners\":\\[\\[0,")
 else()
   expect_match("${error}" "without the page")
@@ -177,6 +177,38 @@ expect_error("replace an input" compare tetrahedron.off tetrahedron.off --scalar
 file(WRITE ${FOLDER}/empty.off "OFF\n0 0 0\n")
 expect_error("empty.off.*no faces" compare tetrahedron.off empty.off --field x)
 expect_error("only one input" compare - - --format off --field x)
+expect_error("--format is needed" compare - tetrahedron.off --field x)
+expect_error("standard input only" compare tetrahedron.off tetrahedron.off --format off --field x)
+
+# Standard input is one mesh of several, or the field of some.
+foreach(meshes "-;double_torus.off" "double_torus.off;-")
+  run_on_input(tetrahedron.off compare ${meshes} --format off --field x --json)
+  expect_equal("${exit_code}" "0")
+  expect_match("${output}" "\"name\": \"standard input\"")
+endforeach()
+file(WRITE ${FOLDER}/column.csv "a,b\n1,0\n2,1\n3,2\n4,3\n")
+foreach(fields "--scalars;-" "--scalars;column.csv;--scalars;-" "--scalars;-;--scalars;column.csv")
+  run_on_input(column.csv compare tetrahedron.off tetrahedron.off ${fields} --format csv --column b --json)
+  expect_equal("${exit_code}" "0")
+  expect_json(0.0 distance)
+endforeach()
+
+# With an infinite price, as many arcs as can be have partners.
+expect_success(compare double_torus.off tetrahedron.off --field x --price-alone inf --json)
+string(JSON pairs LENGTH "${output}" pairs)
+expect_equal("${pairs}" "1")
+
+# A point of no face is no other component.
+file(READ ${FOLDER}/double_torus.off text)
+string(REPLACE "622 1248" "623 1248" text "${text}")
+string(FIND "${text}" "\n3 " first_face)
+string(SUBSTRING "${text}" 0 ${first_face} points)
+string(SUBSTRING "${text}" ${first_face} -1 faces)
+file(WRITE ${FOLDER}/point.off "${points}\n7 8 9${faces}")
+expect_success(compare point.off double_torus.off --field geodesic --json)
+expect_match("${output}" "most alike")
+expect_json(0.0 distance)
+expect_json(ON sources_on_partners)
 
 # Noise on a grid: more than 300 arcs.
 set(points)

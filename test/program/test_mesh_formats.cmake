@@ -63,13 +63,6 @@ foreach(scale 1e232 1e-232 1e300 1e-300)
 endforeach()
 
 # standard input is a mesh or a field, whose format is named; the mesh is read again where its fields are kept
-function(run_on_input file)
-  execute_process(COMMAND ${PROGRAM} ${ARGN} WORKING_DIRECTORY ${FOLDER} INPUT_FILE ${FOLDER}/${file}
-                  RESULT_VARIABLE exit_code OUTPUT_VARIABLE output ERROR_VARIABLE error)
-  set(exit_code ${exit_code} PARENT_SCOPE)
-  set(output "${output}" PARENT_SCOPE)
-  set(error "${error}" PARENT_SCOPE)
-endfunction()
 file(WRITE ${FOLDER}/mesh.ts "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0.25\nVRTX 4 0 0 1\nVRTX 5 3 1 0.5\n\
 TRGL 1 2 3\nTRGL 1 4 2\nTRGL 1 3 4\nTRGL 2 5 3\nEND\n")
 file(WRITE ${FOLDER}/mesh.mesh "MeshVersionFormatted 2\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0.25 0\n0 0 1 0\n3 1 0.5 0\n\

@@ -35,6 +35,8 @@ expect_error("two outputs" compute tetrahedron.off --field z --html page.html --
 expect_error("the file cannot be written" compute tetrahedron.off --field z --html missing/page.html)
 file(WRITE ${FOLDER}/far.off "OFF\n3 1 0\n0 0 0\n1e31 0 0\n0 1 0\n3 0 1 2\n")
 expect_error("1e30" compute far.off --field x --html page.html)
+file(WRITE ${FOLDER}/tiny.off "OFF\n3 1 0\n0 0 0\n1e-40 0 0\n0 1e-40 0\n3 0 1 2\n")
+expect_error("1e-30" compute tiny.off --field x --html page.html)
 
 expect_success(compute tetrahedron.off --field z --unit mm --html page.html)
 expect_page(page tetrahedron.off mesh=tetrahedron.off coordinate=2 field.name="z" field.unit="mm" graph.arcs.length=1

@@ -19,11 +19,13 @@
 #include <CGAL/Reeb_graph/named_parameters.h>
 #include <CGAL/Reeb_graph_traits.h>
 
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -107,6 +109,44 @@ std::vector<double> measures_of_arcs(const Augmentation& augmentation, const Ver
   return measures_of_arcs(cells.graph(), measures_of_places(cells, cells.graph(), places, cells.point_map(points)));
 }
 
+// Points in a unit in which the largest coordinate is about 1, so that areas and volumes are neither 0 nor infinite.
+template <class PointMap>
+struct Points_in_unit
+{
+  typedef Simple_cartesian<double>::Point_3 Point;
+
+  PointMap point_map;
+  int exponent = 0;
+
+  template <class Cells>
+  Points_in_unit(const Cells& cells, const PointMap& points) : point_map(points)
+  {
+    double largest = 0;
+    for(const auto& cell : cells.cells())
+      for(const auto v : cells.vertices_of(cell))
+        for(int i = 0; i != 3; ++i)
+          largest = (std::max)(largest, std::abs(CGAL::to_double(get(point_map, v)[i])));
+    exponent = largest > 0 && std::isfinite(largest) ? -std::ilogb(largest) : 0;
+  }
+
+  template <class Vertex>
+  friend Point get(const Points_in_unit& points, const Vertex v)
+  {
+    const auto& p = get(points.point_map, v);
+    const auto coordinate = [&](int i) { return std::scalbn(CGAL::to_double(p[i]), points.exponent); };
+    return {coordinate(0), coordinate(1), coordinate(2)};
+  }
+};
+
+// Shares of arcs in the area, or volume, in any unit.
+template <class Augmentation, class VertexPlaces>
+std::vector<double> shares_of_arcs(const Augmentation& augmentation, const VertexPlaces& places)
+{
+  const auto& cells = augmentation.on_mesh();
+  const Points_in_unit points(cells, cells.point_map(parameters::default_values()));
+  return measures_of_arcs(cells.graph(), measures_of_places(cells, cells.graph(), places, points));
+}
+
 // The mean of the values at the vertices of each arc, weighted by what measures_of_arcs() has of them. `value` is called
 // with a vertex.
 template <class Cells, class ReebGraph, class VertexPlaces, class PointMap, class Value>
@@ -117,7 +157,8 @@ std::vector<double> mean_values_of_arcs(const Cells& cells,
                                         const Value& value)
 {
   std::vector<Weighted_mean> sums(num_vertices(graph) + num_edges(graph));
-  visit_cells(cells, point_map, [&](const auto v, double part) { sums.at(places.index(v)).add(value(v), part); });
+  visit_cells(cells, Points_in_unit(cells, point_map),
+              [&](const auto v, double part) { sums.at(places.index(v)).add(value(v), part); });
   std::vector<double> result;
   for(const auto arc : CGAL::make_range(edges(graph)))
   {

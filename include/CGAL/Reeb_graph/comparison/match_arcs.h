@@ -54,12 +54,13 @@ struct Compared_arc
   double length;       // in parts of the lengths of all arcs
   double root_of_area; // of its part of the area of the surface
 
-  // The price of being partners, of which one without a partner has half.
+  // The price of being partners. Sums of differences are often the same whoever is whose partner: squares tell them apart.
   static double price(const Compared_arc& a, const Compared_arc& b)
   {
     const int ends = int(a.is_lower_end_leaf != b.is_lower_end_leaf) + int(a.is_upper_end_leaf != b.is_upper_end_leaf);
-    return 0.5 * ends + std::abs(a.lower - b.lower) + std::abs(a.upper - b.upper) + 0.5 * std::abs(a.length - b.length)
-         + 0.5 * std::abs(a.root_of_area - b.root_of_area);
+    const auto difference = [](double x, double y) { return std::abs(x - y) + 1e-6 * (x - y) * (x - y); };
+    return 0.5 * ends + difference(a.lower, b.lower) + difference(a.upper, b.upper)
+         + 0.5 * (difference(a.length, b.length) + difference(a.root_of_area, b.root_of_area));
   }
 };
 
@@ -74,7 +75,7 @@ std::vector<Compared_arc> compared_arcs(const typename GraphOnMesh::Graph& graph
   if(num_edges(graph) > most_matched_arcs)
     throw Too_many_arcs_error(num_edges(graph));
   const std::vector<double> lengths = arc_lengths(augmentation),
-                            areas = arc_areas(augmentation, augmentation.locate_vertices());
+                            areas = shares_of_arcs(augmentation, augmentation.locate_vertices());
   const double length = std::accumulate(lengths.begin(), lengths.end(), 0.),
                area = std::accumulate(areas.begin(), areas.end(), 0.);
   std::vector<Compared_arc> arcs;
@@ -156,9 +157,10 @@ struct Matched_arcs
   double price;                      // of all
 };
 
-// Each arc may stay alone for half a price.
+// Each arc may stay alone for a price. One that is more than partners cost in all tells no more than that, but is rounded.
 inline Matched_arcs match(const std::vector<Compared_arc>& a, const std::vector<Compared_arc>& b, double price_alone)
 {
+  price_alone = (std::min)(price_alone, 4. * most_matched_arcs);
   const auto price = [&](std::size_t i, std::size_t j) {
     if(i < a.size() && j < b.size())
       return Compared_arc::price(a[i], b[j]);
@@ -185,7 +187,8 @@ inline Matched_arcs match(const std::vector<Compared_arc>& a, const std::vector<
 /// - one half for each end that is a leaf in one of them only,
 /// - the differences of their lower and of their upper values, in parts of the range of the field,
 /// - half of the difference of their lengths, in parts of the lengths of all arcs,
-/// - half of the difference of the roots of their areas, in parts of the whole area.
+/// - half of the difference of the roots of their areas, in parts of the whole area,
+/// - and a millionth of the squares of these, as sums of differences are often equal.
 ///
 /// So nothing depends on units, or on the order of vertices. An arc that stays alone has the price `price_alone`, so arcs
 /// are no partners that differ by more than twice of it.
@@ -208,7 +211,7 @@ inline Matched_arcs match(const std::vector<Compared_arc>& a, const std::vector<
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{price_alone}
 ///     \cgalParamDescription{the price of an arc that has no partner}
-///     \cgalParamType{`double`, not negative}
+///     \cgalParamType{`double`, not negative; with infinity, as many arcs as can be have partners}
 ///     \cgalParamDefault{1}
 ///     \cgalParamExtra{use the function `parameters::price_alone()`}
 ///   \cgalParamNEnd

@@ -55,7 +55,7 @@ struct Tip_pair
 
 namespace internal {
 
-// The tips of a connected mesh, none of another one, and the arcs of the graph of the distance from each: the leaves of
+// The tips of a mesh that is connected but for vertices without faces, none of another one, and the arcs of the graph of the distance from each: the leaves of
 // the graph of the distance from an end of a long way. Graphs are simplified as is suggested.
 template <class Mesh>
 class Tips_of_mesh
@@ -67,7 +67,10 @@ public:
   {
     std::vector<std::pair<Vertex, Vertex>> far_apart;
     find_far_apart_vertices(mesh, std::back_inserter(far_apart));
-    if(far_apart.size() != 1)
+    for(const auto& [v, any] : far_apart)
+      if(is_isolated(v))
+        sources_.push_back(v);
+    if(far_apart.size() != 1 + sources_.size())
       return;
     tips_.push_back(find_end(find_start()));
     for(std::size_t i = 0; i != tips_.size(); ++i) // The first one adds others.
@@ -85,10 +88,14 @@ public:
 private:
   typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<double>>::const_type Distance_map;
 
+  bool is_isolated(Vertex v) const { return halfedge(v, mesh_) == boost::graph_traits<Mesh>::null_halfedge(); }
+
   Distance_map distance_from(Vertex source) const
   {
     const Distance_map distance = get(dynamic_vertex_property_t<double>(), mesh_);
-    compute_geodesic_field(mesh_, distance, std::array<Vertex, 1>{source});
+    std::vector<Vertex> sources = sources_;
+    sources.push_back(source);
+    compute_geodesic_field(mesh_, distance, sources);
     return distance;
   }
 
@@ -107,9 +114,7 @@ private:
     const auto all = vertices(mesh_);
     const auto middle = CGAL::centroid(boost::make_transform_iterator(all.first, point),
                                        boost::make_transform_iterator(all.second, point));
-    return farthest([&](Vertex v) {
-      return halfedge(v, mesh_) == boost::graph_traits<Mesh>::null_halfedge() ? -1 : distance_between(point(v), middle);
-    });
+    return farthest([&](Vertex v) { return is_isolated(v) ? -1 : distance_between(point(v), middle); });
   }
 
   // Goes to the farthest vertex until the way leads back, and returns the one of both ends that is farther from all
@@ -150,11 +155,12 @@ private:
     reaches_.push_back(get(distance, farthest([&](Vertex v) { return get(distance, v); })));
     if(i == 0)
       for(const auto node : CGAL::make_range(vertices(graph)))
-        if(degree(node, graph) == 1 && graph[node].vertex != tips_[0])
+        if(degree(node, graph) == 1 && get(distance, graph[node].vertex) > 0) // All points can be one.
           tips_.push_back(graph[node].vertex);
   }
 
   const Mesh& mesh_;
+  std::vector<Vertex> sources_; // those without faces: nothing else has a distance from them
   std::vector<Vertex> tips_;
   std::vector<std::vector<Compared_arc>> arcs_;
   std::vector<double> reaches_;
@@ -206,7 +212,8 @@ auto match_tips(const TipsA& a, const TipsB& b)
 /// \param mesh_b another one
 /// \param tips the output: pairs of tips, the two that are most alike first
 ///
-/// \returns the output iterator behind the last pair; there is none if a mesh has not one connected component.
+/// \returns the output iterator behind the last pair; there is none if a mesh has not one connected component,
+///          vertices without faces aside.
 ///
 /// \exception Reeb_graph::Too_many_arcs_error if a simplified graph has more than 300 arcs
 ///

@@ -25,6 +25,7 @@
 #include <boost/unordered_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -55,9 +56,11 @@ inline double distance(const Coordinates& a, const Coordinates& b)
   return length_of(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-inline double area(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+// The area of a triangle whose sides are shortened by a power of two.
+inline double area(const Coordinates& a, const Coordinates& b, const Coordinates& c, int exponent)
 {
-  const Coordinates u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  const auto side = [&](const Coordinates& end, int i) { return std::scalbn(end[i] - a[i], -exponent); };
+  const Coordinates u = {side(b, 0), side(b, 1), side(b, 2)}, v = {side(c, 0), side(c, 1), side(c, 2)};
   return 0.5 * length_of(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
 }
 
@@ -78,11 +81,18 @@ public:
       add_segment(at(0), at(0));
   }
 
-  void add_segment(const Coordinates& a, const Coordinates& b) { add_piece(a, mix(0.5, a, b), distance(a, b)); }
+  void add_segment(const Coordinates& a, const Coordinates& b)
+  {
+    const double length = distance(a, b);
+    set_unit(length);
+    add_piece(a, mix(0.5, a, b), std::scalbn(length, -exponent_));
+  }
 
   void add_triangle(const Coordinates& a, const Coordinates& b, const Coordinates& c)
   {
-    add_piece(a, {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3}, area(a, b, c));
+    set_unit((std::max)(distance(a, b), distance(a, c)));
+    add_piece(a, {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3},
+              area(a, b, c, exponent_));
   }
 
   bool is_of_length_zero() const { return !(length_ > 0); }
@@ -93,6 +103,13 @@ public:
   }
 
 private:
+  // The first length makes the unit of weights: their products with coordinates are as large as those.
+  void set_unit(double length)
+  {
+    if(!(length_ > 0) && length > 0 && std::isfinite(length))
+      exponent_ = std::ilogb(length);
+  }
+
   void add_piece(const Coordinates& first, const Coordinates& middle, double weight)
   {
     if(!has_first_)
@@ -104,6 +121,7 @@ private:
   }
 
   bool has_first_ = false;
+  int exponent_ = 0;
   double length_ = 0;
   Coordinates first_ = {}, sum_ = {};
 };
