@@ -188,7 +188,7 @@ inline Matched_arcs match(const std::vector<Compared_arc>& a, const std::vector<
 /// - the differences of their lower and of their upper values, in parts of the range of the field,
 /// - half of the difference of their lengths, in parts of the lengths of all arcs,
 /// - half of the difference of the roots of their areas, in parts of the whole area,
-/// - and a millionth of the squares of these, as sums of differences are often equal.
+/// - and a millionth of the squares of these differences, with the same weights, as sums of differences are often equal.
 ///
 /// So nothing depends on units, or on the order of vertices. An arc that stays alone has the price `price_alone`, so arcs
 /// are no partners that differ by more than twice of it.

@@ -91,7 +91,7 @@ inline Mesh::Vertex_index apex_beside(const Filled_component& component, Mesh::V
   return v;
 }
 
-// A place far beyond an opening, to which the size of the surface is about 1: as if a long tube ended there.
+// A place far beyond an opening, as if a long tube ended there: 64 times the size of the surface, which is about 1.
 inline Point far_beyond(const Mesh& mesh, Mesh::Vertex_index apex)
 {
   const Point& p = mesh.point(apex);
