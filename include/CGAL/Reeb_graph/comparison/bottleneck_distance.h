@@ -56,11 +56,17 @@ public:
   // it, and all of them can be of one saddle.
   Pairs_of_one_kind(Pairs a, Pairs b) : pairs_{std::move(a), std::move(b)}
   {
-    const bool is_turned = number_of_values(&Persistence_values::lower) < number_of_values(&Persistence_values::upper);
+    std::set<double> lowers, uppers;
+    for(const Pairs& pairs : pairs_)
+      for(const Persistence_values& pair : pairs)
+      {
+        lowers.insert(pair.lower);
+        uppers.insert(pair.upper);
+      }
     for(Pairs& pairs : pairs_)
     {
       for(Persistence_values& pair : pairs)
-        if(is_turned)
+        if(lowers.size() < uppers.size())
           std::swap(pair.lower, pair.upper);
       std::sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) { return p.lower < q.lower; });
     }
@@ -86,15 +92,6 @@ public:
   }
 
 private:
-  std::size_t number_of_values(double Persistence_values::*value) const
-  {
-    std::set<double> values;
-    for(const Pairs& pairs : pairs_)
-      for(const Persistence_values& pair : pairs)
-        values.insert(pair.*value);
-    return values.size();
-  }
-
   static double half_persistence(const Persistence_values& pair) { return persistence(pair.lower, pair.upper) / 2; }
 
   // Whether different pairs of `to` can be found for all pairs of `from` that are too far from the diagonal. Where that

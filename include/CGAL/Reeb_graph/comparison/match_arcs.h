@@ -18,11 +18,10 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -109,38 +108,31 @@ std::vector<std::size_t> assign(std::size_t size, const Price& price)
   for(std::size_t row = 1; row <= size; ++row)
   {
     std::vector<double> distance(size + 1, std::numeric_limits<double>::infinity());
-    std::vector<char> is_reached(size + 1, false);
+    std::vector<std::size_t> reached, others(size);
+    std::iota(others.begin(), others.end(), std::size_t(1));
     std::size_t column = 0;
+    distance[0] = 0;
     for(row_of[0] = row; row_of[column] != 0;)
     {
-      is_reached[column] = true;
-      const std::size_t last_row = row_of[column];
-      double step = std::numeric_limits<double>::infinity();
-      std::size_t nearest = 0;
-      for(std::size_t j = 1; j <= size; ++j)
-        if(!is_reached[j])
+      reached.push_back(column);
+      for(const std::size_t j : others)
+      {
+        const double reduced = price(row_of[column] - 1, j - 1) - row_potential[row_of[column]] - column_potential[j];
+        if(distance[column] + reduced < distance[j])
         {
-          const double reduced = price(last_row - 1, j - 1) - row_potential[last_row] - column_potential[j];
-          if(reduced < distance[j])
-          {
-            distance[j] = reduced;
-            before[j] = column;
-          }
-          if(distance[j] < step)
-          {
-            step = distance[j];
-            nearest = j;
-          }
+          distance[j] = distance[column] + reduced;
+          before[j] = column;
         }
-      for(std::size_t j = 0; j <= size; ++j)
-        if(is_reached[j])
-        {
-          row_potential[row_of[j]] += step;
-          column_potential[j] -= step;
-        }
-        else
-          distance[j] -= step;
-      column = nearest;
+      }
+      const auto nearest = std::min_element(others.begin(), others.end(),
+                                            [&](std::size_t i, std::size_t j) { return distance[i] < distance[j]; });
+      column = *nearest;
+      others.erase(nearest);
+    }
+    for(const std::size_t j : reached)
+    {
+      row_potential[row_of[j]] += distance[column] - distance[j];
+      column_potential[j] -= distance[column] - distance[j];
     }
     for(; column != 0; column = before[column])
       row_of[column] = row_of[before[column]];
@@ -238,13 +230,10 @@ OutputIterator match_arcs(const typename GraphOnMeshA::Graph& graph_a,
   const std::vector<std::size_t> found = internal::match(internal::compared_arcs(graph_a, augmentation_a),
                                                          internal::compared_arcs(graph_b, augmentation_b), price_alone)
                                            .partners;
-  const auto [first_b, last_b] = edges(graph_b);
-  const std::vector<typename boost::graph_traits<typename GraphOnMeshB::Graph>::edge_descriptor> arcs_b(first_b,
-                                                                                                        last_b);
   std::size_t i = 0;
   for(const auto arc : CGAL::make_range(edges(graph_a)))
-    if(const std::size_t partner = found[i++]; partner != arcs_b.size())
-      *partners++ = std::make_pair(arc, arcs_b[partner]);
+    if(const std::size_t partner = found[i++]; partner != num_edges(graph_b))
+      *partners++ = std::make_pair(arc, *std::next(edges(graph_b).first, static_cast<std::ptrdiff_t>(partner)));
   return partners;
 }
 

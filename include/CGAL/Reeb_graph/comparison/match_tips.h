@@ -29,7 +29,6 @@
 #include <boost/iterator/transform_iterator.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -75,15 +74,16 @@ public:
     tips_.push_back(find_end(find_start()));
     for(std::size_t i = 0; i != tips_.size(); ++i) // The first one adds others.
       see_from(i);
-    const double greatest = *std::max_element(reaches_.begin(), reaches_.end());
-    for(double& reach : reaches_)
-      reach = part_of(reach, greatest);
   }
 
   const std::vector<Vertex>& tips() const { return tips_; }
   const std::vector<Compared_arc>& arcs_seen_from(std::size_t tip) const { return arcs_[tip]; }
 
-  double reach_of(std::size_t tip) const { return reaches_[tip]; } // the greatest distance, by that from any tip
+  // The greatest distance, by that from any tip.
+  double reach_of(std::size_t tip) const
+  {
+    return part_of(reaches_[tip], *std::max_element(reaches_.begin(), reaches_.end()));
+  }
 
 private:
   typedef typename boost::property_map<Mesh, dynamic_vertex_property_t<double>>::const_type Distance_map;
@@ -146,9 +146,11 @@ private:
     compute_reeb_graph(mesh_, distance, given);
     std::vector<Simplification_threshold> thresholds;
     simplification_thresholds(given, std::back_inserter(thresholds));
-    const auto suggested =
-      std::find_if(thresholds.begin(), thresholds.end(), [](const auto& threshold) { return threshold.is_suggested; });
-    const auto simplification = simplify(given, suggested == thresholds.end() ? 0 : suggested->threshold, graph);
+    double suggested = 0;
+    for(const Simplification_threshold& threshold : thresholds)
+      if(threshold.is_suggested)
+        suggested = threshold.threshold;
+    const auto simplification = simplify(given, suggested, graph);
     const Augmentation<Mesh, Distance_map> augmentation(mesh_, distance, graph,
                                                         parameters::simplification(simplification));
     arcs_.push_back(compared_arcs(graph, augmentation));
