@@ -18,6 +18,7 @@
 #include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Loop_group.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -27,7 +28,10 @@
 #include <cstddef>
 #include <cstdlib>
 #include <deque>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -170,6 +174,43 @@ std::size_t check_basis(const Triangle_soup& soup)
   return cycles.size();
 }
 
+using CGAL::Reeb_graph::internal::skeleton::Integer;
+using CGAL::Reeb_graph::internal::skeleton::Loop_group;
+using CGAL::Reeb_graph::internal::skeleton::Row;
+
+std::vector<Row> as_rows(const std::vector<std::vector<long>>& matrix)
+{
+  std::vector<Row> rows(matrix.size());
+  for(std::size_t i = 0; i != matrix.size(); ++i)
+    for(std::size_t k = 0; k != matrix[i].size(); ++k)
+      if(matrix[i][k] != 0)
+        rows[i][k] = matrix[i][k];
+  return rows;
+}
+
+// The greatest common divisor of the minors of so many rows and columns, chosen in all ways.
+long divisor_of_minors(const std::vector<std::vector<long>>& matrix, std::size_t size)
+{
+  const std::size_t columns = matrix.front().size();
+  long result = 0;
+  for(std::size_t of_rows = 0; of_rows != std::size_t(1) << matrix.size(); ++of_rows)
+    for(std::size_t of_columns = 0; of_columns != std::size_t(1) << columns; ++of_columns)
+    {
+      Matrix minor;
+      for(std::size_t i = 0; i != matrix.size(); ++i)
+        if((of_rows >> i) % 2 == 1)
+        {
+          minor.emplace_back();
+          for(std::size_t k = 0; k != columns; ++k)
+            if((of_columns >> k) % 2 == 1)
+              minor.back().push_back(static_cast<double>(matrix[i][k]));
+        }
+      if(minor.size() == size && (size == 0 || minor.front().size() == size))
+        result = std::gcd(result, std::lround(determinant(minor)));
+    }
+  return result;
+}
+
 // A tube around a knot on a torus, which passes p times around its axis and q times through its hole.
 Triangle_soup torus_knot(int p, int q, double radius)
 {
@@ -180,6 +221,51 @@ Triangle_soup torus_knot(int p, int q, double radius)
   return handle_samples::tube(curve, 100 * static_cast<std::size_t>(p + q), 14, radius);
 }
 } // namespace
+
+BOOST_AUTO_TEST_CASE(indices_of_groups_are_those_by_minors)
+{
+  std::mt19937 random(1);
+  for(int turn = 0; turn != 400; ++turn)
+  {
+    std::vector<std::vector<long>> matrix(1 + random() % 4, std::vector<long>(1 + random() % 4));
+    for(auto& row : matrix)
+      for(long& number : row)
+        number = random() % 3 == 0 ? 0 : static_cast<long>(random() % 9) - 4;
+    std::size_t rank = (std::min)(matrix.size(), matrix.front().size());
+    while(rank != 0 && divisor_of_minors(matrix, rank) == 0)
+      --rank;
+    const Loop_group group(as_rows(matrix));
+    BOOST_TEST(group.number_of_dependent == matrix.size() - rank);
+    BOOST_TEST((group.index == (rank == 0 ? 1 : divisor_of_minors(matrix, rank))));
+  }
+}
+
+// Euclid's algorithm alone had numbers of millions of digits there.
+BOOST_AUTO_TEST_CASE(indices_of_large_groups_are_found)
+{
+  std::mt19937 random(2);
+  const std::size_t size = 60, columns = 100;
+  std::vector<std::vector<long>> matrix(size + 3, std::vector<long>(columns, 0));
+  for(std::size_t i = 0; i != size; ++i)
+    matrix[i][i] = i == 7 ? 2 : i == 20 ? 6 : 1;
+  for(int turn = 0; turn != 150; ++turn)
+  {
+    const std::size_t i = random() % size, j = random() % size, k = random() % columns, l = random() % columns;
+    const long sign = random() % 2 == 0 ? 1 : -1;
+    for(std::size_t c = 0; c != columns && i != j; ++c)
+      matrix[i][c] += sign * matrix[j][c];
+    for(std::size_t r = 0; r != size && k != l; ++r)
+      matrix[r][k] += sign * matrix[r][l];
+  }
+  for(std::size_t c = 0; c != columns; ++c) // three that depend on others
+    for(const std::size_t i : {0, 1, 2})
+      matrix[size + i][c] = matrix[5 * i][c] - matrix[5 * i + 3][c];
+  const Loop_group group(as_rows(matrix));
+  BOOST_TEST(group.number_of_dependent == 3u);
+  BOOST_TEST((group.index == 12));
+  BOOST_TEST(group.index_or_most() == 12u);
+  BOOST_TEST(Loop_group({{{3, Integer(1) << 100}}}).index_or_most() == (std::numeric_limits<std::size_t>::max)());
+}
 
 BOOST_AUTO_TEST_CASE(loops_of_knots_and_links_are_a_basis)
 {

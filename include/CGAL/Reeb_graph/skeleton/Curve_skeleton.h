@@ -102,7 +102,8 @@ struct Skeleton_certificate
   std::size_t number_of_hidden_handles = 0; ///< handles that are no loop, since they are hidden in a multi-saddle
   /// loops that can be pulled to a point inside of the surface, or depend on others there; hardly ever any
   std::size_t number_of_contractible_loops = 0;
-  /// the index of what the loops generate among all loops inside that have a multiple in it: 1 if they are a basis
+  /// the index of what the loops generate among all loops inside that have a multiple in it: 1 if they are a basis; at most what
+  /// the type holds, as it can be large for a hundred handles
   std::size_t loop_index = 1;
   std::size_t number_of_vertices_outside = 0; ///< vertices that are outside; ends do not count
   std::size_t number_of_crossing_edges = 0;   ///< edges that cross the surface other than in an end

@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -154,7 +155,8 @@ void add_component(const Reading& reading,
   certificate.genus += part.genus;
   certificate.number_of_hidden_handles += part.genus - part.number_of_loops;
   certificate.number_of_contractible_loops += part.number_of_contractible_loops;
-  certificate.loop_index *= part.loop_index;
+  const std::size_t most = (std::numeric_limits<std::size_t>::max)() / part.loop_index;
+  certificate.loop_index = (std::min)(certificate.loop_index, most) * part.loop_index;
   certificate.number_of_vertices_outside += part.number_outside;
   certificate.number_of_crossing_edges += part.number_of_crossings;
   certificate.number_of_crossing_components += part.is_self_intersecting ? 1 : 0;

@@ -15,9 +15,11 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -42,6 +44,16 @@ inline void add_multiple(Row& row, const Row& other, const Integer& factor, cons
   }
 }
 
+// The numbers of a row in some columns.
+template <class Columns>
+std::vector<Integer> in_columns(const Row& row, const Columns& columns)
+{
+  std::vector<Integer> result;
+  for(const auto& [column, any] : columns)
+    result.push_back(row.count(column) != 0 ? row.at(column) : Integer(0));
+  return result;
+}
+
 // The group that rows generate, in echelon form: each row of the basis has a first column of its own.
 class Generated_group
 {
@@ -62,22 +74,6 @@ public:
 
   // A row for each rank, by its first column.
   const std::map<std::size_t, Row>& basis() const { return basis_; }
-
-  // The index of the group in that of all rows of integers that have a multiple in it.
-  Integer index() const
-  {
-    std::map<std::size_t, Row> columns;
-    for(const auto& [first, row] : basis_)
-      for(const auto& [column, number] : row)
-        columns[column][first] = number;
-    Generated_group by_columns; // of all minors, those of the highest rank have the index as greatest common divisor
-    for(const auto& [column, numbers] : columns)
-      by_columns.add(numbers, 0);
-    Integer result = 1;
-    for(const auto& [first, row] : by_columns.basis_)
-      result *= abs(row.begin()->second);
-    return result;
-  }
 
 private:
   // Returns whether the rank has grown.
@@ -103,17 +99,87 @@ private:
   std::map<std::size_t, Row> basis_; // by first column
 };
 
+// Takes rows away that have 1 or -1 in a column where no other one is left with a number, and those without numbers, by adding
+// multiples: minors change by their signs only. Returns the number of the former.
+inline std::size_t eliminate_units(std::vector<Row>& rows)
+{
+  const auto unit = [](const Row& row) {
+    return std::find_if(row.begin(), row.end(), [](const auto& entry) { return abs(entry.second) == 1; });
+  };
+  for(std::size_t number = 0;; ++number)
+  {
+    rows.erase(std::remove_if(rows.begin(), rows.end(), [](const Row& row) { return row.empty(); }), rows.end());
+    auto shortest = rows.end();
+    for(auto row = rows.begin(); row != rows.end(); ++row)
+      if((shortest == rows.end() || row->size() < shortest->size()) && unit(*row) != row->end())
+        shortest = row;
+    if(shortest == rows.end())
+      return number;
+    const Row pivot = std::move(*shortest);
+    rows.erase(shortest);
+    const auto [column, sign] = *unit(pivot);
+    for(Row& row : rows)
+      if(const auto found = row.find(column); found != row.end())
+        add_multiple(row, pivot, -found->second * sign);
+  }
+}
+
+// The rank of rows, and the size of a minor of that rank (E. H. Bareiss 1968): all numbers on the way are minors, too.
+inline std::pair<std::size_t, Integer> rank_and_minor(const std::vector<Row>& rows, const Row& columns)
+{
+  std::vector<std::vector<Integer>> matrix;
+  for(const Row& row : rows)
+    matrix.push_back(in_columns(row, columns));
+  std::size_t rank = 0;
+  Integer minor = 1;
+  for(std::size_t column = 0; column != columns.size() && rank != rows.size(); ++column)
+  {
+    std::size_t pivot = rank;
+    while(pivot != rows.size() && matrix[pivot][column] == 0)
+      ++pivot;
+    if(pivot == rows.size())
+      continue;
+    matrix[pivot].swap(matrix[rank]);
+    const auto& first = matrix[rank++];
+    for(std::size_t i = rank; i != rows.size(); ++i)
+      for(std::size_t k = columns.size(); k-- != column;)
+        matrix[i][k] = (matrix[i][k] * first[column] - matrix[i][column] * first[k]) / minor;
+    minor = first[column];
+  }
+  return {rank, abs(minor)};
+}
+
 // The group that loops generate among those of a solid, by their linking numbers with curves.
 struct Loop_group
 {
   std::size_t number_of_dependent = 0;
   Integer index = 1; // of the group in that of all loops that have a multiple in it
 
-  explicit Loop_group(const std::vector<Row>& rows)
+  // The index is the greatest common divisor of minors of the highest rank. All multiples of one of them have no other one, and so
+  // numbers are those modulo this one: with Euclid alone, they had millions of digits on solids of genus 200.
+  explicit Loop_group(std::vector<Row> rows)
   {
+    const std::size_t number = rows.size(), number_of_units = eliminate_units(rows);
+    Row columns;
+    for(const Row& row : rows)
+      columns.insert(row.begin(), row.end());
+    const auto [rank, minor] = rank_and_minor(rows, columns);
+    number_of_dependent = number - number_of_units - rank;
+    std::vector<Row> multiples;
+    for(const auto& [column, any] : columns)
+      multiples.push_back({{column, minor}});
     Generated_group group;
-    number_of_dependent = group.add_all(rows).size();
-    index = group.index();
+    group.add_all(multiples);
+    group.add_all(rows, minor);
+    for(const auto& [column, row] : group.basis())
+      index *= abs(row.at(column));
+    index /= pow(minor, static_cast<unsigned>(columns.size() - rank));
+  }
+
+  // The index as a number of the machine, or the greatest one of these.
+  std::size_t index_or_most() const
+  {
+    return static_cast<std::size_t>((std::min)(index, Integer((std::numeric_limits<std::size_t>::max)())));
   }
 
   bool is_whole() const { return number_of_dependent == 0 && index == 1; }
@@ -123,8 +189,8 @@ struct Loop_group
   }
 };
 
-// How often loops are to wind around curves, so that they generate as much as can be. Numbers are those modulo a prime number,
-// beyond which no index is that matters.
+// How often loops are to wind around curves, so that they generate as much as can be. Numbers are those modulo a prime number
+// (M. Mersenne 1644) beyond twice the index.
 class Winding_choice
 {
 public:
@@ -133,27 +199,21 @@ public:
     : progress_(progress),
       windings_(loops.size(), 0)
   {
-    Generated_group all; // of which loops are to be a basis
-    all.add_all(loops);
-    all.add_all(added);
-    if(all.basis().size() != loops.size())
-      return;
-    for(const std::size_t loop : Generated_group().add_all(loops, prime()))
+    for(const std::size_t loop : Generated_group().add_all(loops, prime_))
       windings_[loop] = 1;
-    Matrix of_loops, of_added;
-    Integer index = 1;
-    for(const auto& [column, row] : all.basis())
-      index = reduced(index * row.at(column));
+    std::vector<Row> wound = loops;
     for(std::size_t i = 0; i != loops.size(); ++i)
-    {
-      Row wound = loops[i];
-      add_multiple(wound, added[i], windings_[i]);
-      of_loops.push_back(restricted(wound, all));
-      of_added.push_back(restricted(added[i], all));
-    }
-    const Integer determinant = divide(of_added, of_loops);
-    if(determinant != 0)
-      improve(of_added, reduced(determinant * inverse(index)));
+      add_multiple(wound[i], added[i], windings_[i]);
+    const Integer index = Loop_group(wound).index;
+    for(const unsigned exponent : {521, 2203})
+      if(2 * index > prime_)
+        prime_ = (Integer(1) << exponent) - 1;
+    Generated_group independent; // in the columns of its basis
+    if(!independent.add_all(wound, prime_).empty())
+      return;
+    Matrix of_added = restricted(added, independent);
+    divide(of_added, restricted(wound, independent));
+    improve(of_added, index);
   }
 
   const std::vector<int>& windings() const { return windings_; }
@@ -161,38 +221,28 @@ public:
 private:
   typedef std::vector<std::vector<Integer>> Matrix;
 
-  static const Integer& prime()
-  {
-    static const Integer result = (Integer(1) << 127) - 1;
-    return result;
-  }
-
   // The number of least size.
-  static Integer reduced(Integer number)
+  Integer reduced(Integer number) const
   {
-    number %= prime();
-    if(2 * abs(number) > prime())
-      number += number < 0 ? prime() : -prime();
+    number %= prime_;
+    if(2 * abs(number) > prime_)
+      number += number < 0 ? prime_ : -prime_;
     return number;
   }
 
-  static Integer inverse(const Integer& number)
-  {
-    return powm(Integer((number + prime()) % prime()), prime() - 2, prime());
-  }
+  Integer inverse(const Integer& number) const { return powm(Integer((number + prime_) % prime_), prime_ - 2, prime_); }
 
-  static std::vector<Integer> restricted(const Row& row, const Generated_group& group)
+  static Matrix restricted(const std::vector<Row>& rows, const Generated_group& group)
   {
-    std::vector<Integer> result;
-    for(const auto& [column, any] : group.basis())
-      result.push_back(row.count(column) != 0 ? row.at(column) : Integer(0));
+    Matrix result;
+    for(const Row& row : rows)
+      result.push_back(in_columns(row, group.basis()));
     return result;
   }
 
-  // Divides by a matrix, by operations on columns, and returns its determinant.
-  Integer divide(Matrix& numbers, Matrix by) const
+  // Divides by a matrix whose columns are independent, by operations on columns.
+  void divide(Matrix& numbers, Matrix by) const
   {
-    Integer determinant = 1;
     const std::size_t size = by.size();
     const auto for_each_row = [&](const auto& act) {
       for(Matrix* matrix : {&by, &numbers})
@@ -203,16 +253,9 @@ private:
     {
       progress_(0); // so that it can be cancelled
       std::size_t pivot = i;
-      while(pivot != size && by[i][pivot] == 0)
+      while(by[i][pivot] == 0)
         ++pivot;
-      if(pivot == size)
-        return 0;
-      if(pivot != i)
-      {
-        for_each_row([&](auto& row) { row[pivot].swap(row[i]); });
-        determinant = -determinant;
-      }
-      determinant = reduced(determinant * by[i][i]);
+      for_each_row([&](auto& row) { row[pivot].swap(row[i]); });
       const Integer factor = inverse(by[i][i]);
       for_each_row([&](auto& row) { row[i] = reduced(row[i] * factor); });
       const std::vector<Integer> pivots = by[i];
@@ -222,7 +265,6 @@ private:
             row[k] = reduced(row[k] - pivots[k] * row[i]);
       });
     }
-    return determinant;
   }
 
   // A loop that winds some times more, and a second one, if any.
@@ -249,10 +291,12 @@ private:
       };
       for(std::size_t i = 0; i != shares.size(); ++i)
         for(const int t : {-2, -1, 1, 2})
+          offer({{i, i}, {t, 0}, reduced(before + t * before * shares[i][i])});
+      for(std::size_t i = 0; i != shares.size() && !is_better; ++i)
+        for(const int t : {-2, -1, 1, 2})
         {
           progress_(0);
           const Integer next = reduced(before + t * before * shares[i][i]);
-          offer({{i, i}, {t, 0}, next});
           for(std::size_t j = 0; j != i && next != 0; ++j)
             for(const int u : {-1, 1})
               offer({{i, j},
@@ -279,6 +323,7 @@ private:
 
   const Stage_progress progress_;
   std::vector<int> windings_;
+  Integer prime_ = (Integer(1) << 127) - 1;
 };
 
 // Which chains can keep lines of their own in place of ways that are led: as many as are found one after the other, so that the

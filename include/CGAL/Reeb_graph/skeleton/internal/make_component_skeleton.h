@@ -202,7 +202,7 @@ Component_skeleton make_component_skeleton(Component component,
   lines.join_nodes_at_one_point();
   inside.certify(progress.part(0.97, 1));
   result.number_of_contractible_loops = inside.loop_group().number_of_dependent;
-  result.loop_index = static_cast<std::size_t>(inside.loop_group().index);
+  result.loop_index = inside.loop_group().index_or_most();
   result.number_outside = inside.number_outside();
   result.number_of_crossings = inside.number_of_crossings();
   const Skeleton_writing writing(component, chains, lines, result);
