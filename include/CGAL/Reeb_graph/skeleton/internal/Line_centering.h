@@ -458,27 +458,27 @@ private:
     };
     const Cost before = cost_at(bead);
     const Vector gradient = across(before.gradient, along);
-    Bead next = stepped(bead, gradient);
-    if(!is_far(next, bead))
+    std::optional<Bead> next = stepped(bead, gradient);
+    if(!next)
       return;
-    Cost after = cost_at(next);
+    Cost after = cost_at(*next);
     const bool is_over_ridge = !(after.value < before.value);
     if(is_over_ridge)
     {
       next = stepped(bead, least_between(gradient, across(after.gradient, along)));
-      after = is_far(next, bead) ? cost_at(next) : before;
+      after = next ? cost_at(*next) : before;
     }
     const bool is_better =
       after.value < before.value && std::all_of(neighbors.begin(), neighbors.end(), [&](std::size_t neighbor) {
-        return is_free(beads_[neighbor], bead, next.place());
+        return is_free(beads_[neighbor], bead, next->place());
       });
     bead.is_settled = !is_better && bead.pace < 0.04;
     bead.pace = (std::min)((!is_better ? 0.5 : is_over_ridge ? 0.7 : 1.4) * bead.pace, 1.);
     if(!is_better)
       return;
-    bead.way += distance(next.point.point, bead.point.point) / bead.depth;
-    bead.point = next.point;
-    bead.depth = next.depth;
+    bead.way += distance(next->point.point, bead.point.point) / bead.depth;
+    bead.point = next->point;
+    bead.depth = next->depth;
     for(const std::size_t neighbor : neighbors)
       if(beads_[neighbor].is_settled)
       {
@@ -500,7 +500,8 @@ private:
     return square > 0 ? v + std::clamp(-(v * way) / square, 0., 1.) * way : v;
   }
 
-  Bead stepped(const Bead& bead, const Vector& gradient) const
+  // None for a step that is not worth looking for the surface.
+  std::optional<Bead> stepped(const Bead& bead, const Vector& gradient) const
   {
     Vector step = -bead.pace * bead.depth * bead.depth * gradient;
     const double size = length(step), most = 0.3 * bead.depth;
@@ -508,12 +509,9 @@ private:
       step = most / size * step;
     Line_point point = bead.point;
     point.point = point.point + step;
+    if(!(distance(point.point, bead.point.point) > least_share * bead.depth))
+      return std::nullopt;
     return make_bead(point);
-  }
-
-  static bool is_far(const Bead& next, const Bead& bead)
-  {
-    return distance(next.point.point, bead.point.point) > least_share * bead.depth;
   }
 
   static constexpr int most_turns = 12, rounds_between = 5;

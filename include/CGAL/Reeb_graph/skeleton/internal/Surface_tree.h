@@ -355,6 +355,19 @@ private:
                : Any_traits::closest_point_object()(p, wall, bound);
       };
     }
+
+    auto compare_distance_object() const
+    {
+      return [](const auto& p, const Bbox_3& box, const auto& bound) {
+        const auto square = [](double low, double x, double high) {
+          const double outside = (std::max)((std::max)(low - x, x - high), 0.);
+          return outside * outside;
+        };
+        const double sum = square(box.xmin(), p.x(), box.xmax()) + square(box.ymin(), p.y(), box.ymax())
+                         + square(box.zmin(), p.z(), box.zmax());
+        return sum <= squared_distance(p, bound) ? SMALLER : LARGER;
+      };
+    }
   };
   typedef AABB_tree<Traits> Tree;
 
