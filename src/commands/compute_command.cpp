@@ -101,13 +101,12 @@ std::vector<CGAL::Reeb_graph::Attribute> write_files_of_mesh(const Compute_optio
     const Arc_table& table = graph.arc_table();
     if(has_table)
       report.arc_table = &table;
-    attributes = table.attributes(options.base);
+    if(has_attributes)
+      attributes = table.attributes(options.base);
   }
   std::optional<Embedding> embedding;
   if(is_format_in_space(options.graph_path))
     embedding = embed_and_time(options, is_surface, graph, report);
-  if(embedding && !has_attributes)
-    attributes.clear();
   if(!embedding && !has_places)
     return attributes;
   const Timed_step timed(report, "output");

@@ -45,7 +45,7 @@ void check_options(const Contour_options& options)
   if(int(choice.t.has_value()) + int(!choice.levels.empty()) + int(choice.number_of_levels.has_value())
        + int(choice.point.has_value())
      != 1)
-    throw std::runtime_error("one of --t, --level, --levels, and --closest is needed");
+    throw std::runtime_error("just one of --t, --level, --levels, and --closest is needed");
 }
 
 void note_empty_levels(const std::vector<double>& levels, const std::vector<Contour>& contours, Work_report& report)

@@ -83,7 +83,7 @@ void run_skeleton(const Skeleton_command_options& options)
     const std::vector<Skeleton_place> thickest = {{Skeleton_place::THICKEST}}, tips = {{Skeleton_place::TIPS}};
     find_paths(report.skeleton, options.from.empty() ? thickest : options.from, options.to.empty() ? tips : options.to);
     if(report.skeleton.paths.empty())
-      throw std::runtime_error("no path leads along the skeleton from one of these places to another one");
+      throw std::runtime_error("no path leads along the skeleton from one of these places to another point of it");
   }
   report.add_seconds("skeleton", stopwatch.seconds());
   const Stopwatch output_stopwatch;

@@ -76,24 +76,22 @@ void write_coordinate(const Surface& surface, Scalar_map scalar_map, int coordin
 Loop_place place_of(const Polyline& polyline)
 {
   Loop_place result;
-  double weight = 0;
-  std::array<double, 3> sum = {};
+  std::array<CGAL::Reeb_graph::internal::Weighted_mean, 3> means;
   for(std::size_t i = 0; i != polyline.size(); ++i)
   {
     const Point &p = polyline[i], &q = polyline[i == 0 ? 0 : i - 1];
     const double length = CGAL::Reeb_graph::internal::length_of(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
-    weight += length;
     for(int k = 0; k != 3; ++k)
     {
       const auto axis = static_cast<std::size_t>(k);
-      sum[axis] += length * (p[k] / 2 + q[k] / 2);
+      means[axis].add(p[k] / 2 + q[k] / 2, length);
       result.box[0][axis] = i == 0 ? p[k] : (std::min)(result.box[0][axis], p[k]);
       result.box[1][axis] = i == 0 ? p[k] : (std::max)(result.box[1][axis], p[k]);
     }
   }
   // All points of a loop without length are one.
   for(std::size_t axis = 0; axis != 3; ++axis)
-    result.center[axis] = weight > 0 ? sum[axis] / weight : result.box[0][axis];
+    result.center[axis] = means[axis].weight > 0 ? means[axis].mean : result.box[0][axis];
   return result;
 }
 

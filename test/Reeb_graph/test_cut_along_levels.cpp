@@ -378,6 +378,17 @@ BOOST_AUTO_TEST_CASE(slivers_are_counted)
   sample.cut(parameters::cut_open(false));
   BOOST_TEST(sample.report.number_of_added_faces == 5u);
   BOOST_TEST(sample.report.number_of_slivers == 4u);
+  for(const int exponent : {-660, -300, 300, 660})
+  {
+    const double unit = std::ldexp(1., exponent);
+    Sample scaled = input;
+    for(auto& point : scaled.soup.points)
+      for(double& x : point)
+        x *= unit;
+    Level_sample<Surface_mesh> in_unit(scaled, {1 - 1e-3, 1, 1 + 1e-3});
+    in_unit.cut(parameters::cut_open(false));
+    BOOST_TEST(in_unit.report.number_of_slivers == 4u);
+  }
   std::set<double> heights;
   for(const auto v : sample.mesh.vertices())
     heights.insert(sample.mesh.point(v).z());

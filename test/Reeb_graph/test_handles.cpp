@@ -393,6 +393,14 @@ BOOST_AUTO_TEST_CASE(the_tunnel_of_a_knotted_torus_has_no_disc)
   const auto areas = CGAL::Reeb_graph::areas_of_filling_discs(mesh, loops);
   BOOST_TEST(areas[0].has_value());
   BOOST_TEST(!areas[1].has_value());
+  for(const int exponent : {-500, 300})
+  {
+    Surface_mesh scaled = mesh;
+    for(const auto v : scaled.vertices())
+      scaled.point(v) = CGAL::ORIGIN + std::ldexp(1., exponent) * (scaled.point(v) - CGAL::ORIGIN);
+    const auto in_unit = CGAL::Reeb_graph::areas_of_filling_discs(scaled, loops);
+    BOOST_TEST(std::ldexp(in_unit[0].value(), -2 * exponent) == areas[0].value(), boost::test_tools::tolerance(1e-12));
+  }
   const double pi = generated_surfaces::internal::pi;
   BOOST_TEST(found.loops()[0].length == 24 * 0.35 * std::sin(pi / 12), boost::test_tools::tolerance(1e-6));
   BOOST_TEST(areas[0].value() == 6 * 0.35 * 0.35 * std::sin(pi / 6), boost::test_tools::tolerance(1e-3));

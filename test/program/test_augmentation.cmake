@@ -123,7 +123,7 @@ expect_error("fins.off: the field unit-gradient needs an oriented manifold surfa
 expect_error("--t" contour ${tetrahedron} --arc 0 ${output_option})
 expect_error("" contour ${tetrahedron} --level 0.5 --t 0.5 ${output_option})
 expect_error("" contour ${tetrahedron} --level 0.5 --arc 0 --t 0.5 ${output_option})
-expect_error("one of --t, --level, --levels, and --closest" contour ${tetrahedron} ${output_option})
+expect_error("just one of --t, --level, --levels, and --closest" contour ${tetrahedron} ${output_option})
 expect_error("one of --t" contour ${tetrahedron} --levels 2 --closest 0,0,0 ${output_option})
 expect_error("one of --t" contour ${tetrahedron} --level 0.5 --levels 2 ${output_option})
 expect_error("--levels" contour ${tetrahedron} --levels 0 ${output_option})

@@ -29,6 +29,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -251,8 +252,13 @@ std::size_t count_slivers(const RankedMesh& ranked, const AddedVertices& added_v
     const auto u = source(h, mesh), v = target(h, mesh), w = target(next(h, mesh), mesh);
     if(!get(is_added, u) && !get(is_added, v) && !get(is_added, w))
       continue;
-    const double longest = (std::max)({ranked.distance(u, v), ranked.distance(v, w), ranked.distance(w, u)});
-    number += 2 * ranked.area(u, v, w) < 0.01 * longest * longest || longest == 0 ? 1 : 0;
+    const std::array<double, 3> lengths = {ranked.distance(u, v), ranked.distance(v, w), ranked.distance(w, u)};
+    const double longest = *std::max_element(lengths.begin(), lengths.end());
+    const double half = (lengths[0] / longest + lengths[1] / longest + lengths[2] / longest) / 2;
+    double square = half; // of the area, where the longest edge is 1
+    for(const double length : lengths)
+      square *= half - length / longest;
+    number += square >= 0.005 * 0.005 ? 0 : 1;
   }
   return number;
 }

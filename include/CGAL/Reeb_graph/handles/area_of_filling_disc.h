@@ -12,6 +12,7 @@
 #include <CGAL/license/Reeb_graph.h>
 
 #include <CGAL/Reeb_graph/handles/internal/triangulate_disc.h>
+#include <CGAL/Reeb_graph/internal/base/lengths.h>
 #include <CGAL/Reeb_graph/internal/space/Self_intersections.h>
 #include <CGAL/Reeb_graph/named_parameters.h>
 
@@ -113,7 +114,7 @@ std::vector<std::optional<double>> areas_of_discs(const Mesh& mesh, const LoopRa
       triangle_boxes.push_back(Numbered_box(triangle.bbox(), triangles.size()));
       disc_boxes.back() += triangle.bbox();
       triangles.emplace_back(triangle, areas.size() - 1);
-      areas.back() = areas.back().value_or(0) + std::sqrt(CGAL::to_double(triangle.squared_area()));
+      areas.back() = areas.back().value_or(0) + area_of(triangle[0], triangle[1], triangle[2]);
     }
   }
   if(triangles.empty())

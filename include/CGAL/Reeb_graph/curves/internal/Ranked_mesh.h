@@ -104,9 +104,7 @@ public:
 
   double area(vertex_descriptor u, vertex_descriptor v, vertex_descriptor w) const
   {
-    const auto& p = get(vertex_point_map_, u);
-    const auto uv = get(vertex_point_map_, v) - p, uw = get(vertex_point_map_, w) - p;
-    return std::sqrt(CGAL::to_double(CGAL::cross_product(uv, uw).squared_length())) / 2;
+    return area_of(get(vertex_point_map_, u), get(vertex_point_map_, v), get(vertex_point_map_, w));
   }
 
   // Splits the edge of `h` by a vertex at the fraction `t` of the way from `u` to `w`, the ends of the edge of which

@@ -95,10 +95,11 @@ public:
     return result;
   }
 
-  // Adds loops that are shorter as candidates, and chooses again. Loops that are not shorter than `bound` are not looked
-  // for.
-  void shorten(Loop_searchers& searchers, double bound, const Stage_progress& progress)
+  // Adds loops that are shorter as candidates, and chooses again. Loops that are not shorter than `size` need not be found:
+  // the bound is so much larger that no shorter one is missed for what is not worth a search.
+  void shorten(Loop_searchers& searchers, double size, const Stage_progress& progress)
   {
+    const double bound = size / precision;
     add_loops_at_left_over_edges(searchers, bound, progress.part(0, 0.3));
     choose();
     for(int pass = 0;
@@ -283,7 +284,9 @@ private:
       walks_[half][place] = coordinates(half, found) == bases_.vector(half, place) ? found : reversed(found);
   }
 
-  // The shortest loop that searches find from vertices of a loop that it crosses, to within 4 percent; empty if none is
+  static constexpr double precision = 0.96; // of lengths for which another search is worth it
+
+  // The shortest loop that searches find from vertices of a loop that it crosses, to within this; empty if none is
   // shorter than `bound`. From one vertex to the next, the length of the shortest loop through it changes by at most
   // twice the way between, and what crosses the partner at a vertex is not shorter than the way from it to its other
   // side. So few have to be tried, the fewer the farther a search sees.
@@ -303,7 +306,7 @@ private:
     int number_of_failures = 0;
     for(const std::size_t k : order)
     {
-      if(least_lengths[k] >= 0.96 * best.length)
+      if(least_lengths[k] >= precision * best.length)
         continue;
       report(); // so that it can be cancelled
       auto loop = search_from(surface_.source(partner[k]), reach * best.length);
