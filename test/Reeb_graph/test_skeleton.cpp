@@ -499,7 +499,8 @@ BOOST_AUTO_TEST_CASE(units_change_nothing)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(order_of_vertices_changes_nothing, Mesh, Meshes)
 {
-  for(std::size_t seed = 0; seed != 24; ++seed)
+  const std::size_t number_of_seeds = std::is_same_v<Mesh, Surface_mesh> ? 24 : 6; // The mesh is only read.
+  for(std::size_t seed = 0; seed != number_of_seeds; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed)
     {
       random_meshes::Random random(seed);
