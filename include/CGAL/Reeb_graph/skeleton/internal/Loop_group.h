@@ -124,25 +124,23 @@ inline std::size_t eliminate_units(std::vector<Row>& rows)
   }
 }
 
-// The rank of rows, and the size of a minor of that rank (E. H. Bareiss 1968): all numbers on the way are minors, too.
-inline std::pair<std::size_t, Integer> rank_and_minor(const std::vector<Row>& rows, const Row& columns)
+// The rank, and the size of a minor of that rank (E. H. Bareiss 1968): all numbers on the way are minors, too.
+inline std::pair<std::size_t, Integer> rank_and_minor(std::vector<std::vector<Integer>> matrix)
 {
-  std::vector<std::vector<Integer>> matrix;
-  for(const Row& row : rows)
-    matrix.push_back(in_columns(row, columns));
+  const std::size_t width = matrix.empty() ? 0 : matrix.front().size();
   std::size_t rank = 0;
   Integer minor = 1;
-  for(std::size_t column = 0; column != columns.size() && rank != rows.size(); ++column)
+  for(std::size_t column = 0; column != width && rank != matrix.size(); ++column)
   {
     std::size_t pivot = rank;
-    while(pivot != rows.size() && matrix[pivot][column] == 0)
+    while(pivot != matrix.size() && matrix[pivot][column] == 0)
       ++pivot;
-    if(pivot == rows.size())
+    if(pivot == matrix.size())
       continue;
     matrix[pivot].swap(matrix[rank]);
     const auto& first = matrix[rank++];
-    for(std::size_t i = rank; i != rows.size(); ++i)
-      for(std::size_t k = columns.size(); k-- != column;)
+    for(std::size_t i = rank; i != matrix.size(); ++i)
+      for(std::size_t k = width; k-- != column;)
         matrix[i][k] = (matrix[i][k] * first[column] - matrix[i][column] * first[k]) / minor;
     minor = first[column];
   }
@@ -155,15 +153,21 @@ struct Loop_group
   std::size_t number_of_dependent = 0;
   Integer index = 1; // of the group in that of all loops that have a multiple in it
 
-  // The index is the greatest common divisor of minors of the highest rank. All multiples of one of them have no other one, and so
-  // numbers are those modulo this one: with Euclid alone, they had millions of digits on solids of genus 200.
+  // The index is the greatest common divisor of minors of the highest rank. That of two of them is a multiple, and so numbers are
+  // those modulo this one: with Euclid alone, they had millions of digits on solids of genus 200.
   explicit Loop_group(std::vector<Row> rows)
   {
     const std::size_t number = rows.size(), number_of_units = eliminate_units(rows);
     Row columns;
     for(const Row& row : rows)
       columns.insert(row.begin(), row.end());
-    const auto [rank, minor] = rank_and_minor(rows, columns);
+    std::vector<std::vector<Integer>> matrix;
+    for(const Row& row : rows)
+      matrix.push_back(in_columns(row, columns));
+    const auto [rank, first] = rank_and_minor(matrix);
+    for(auto& row : matrix)
+      std::reverse(row.begin(), row.end());
+    const Integer minor = gcd(first, rank_and_minor(matrix).second);
     number_of_dependent = number - number_of_units - rank;
     std::vector<Row> multiples;
     for(const auto& [column, any] : columns)
