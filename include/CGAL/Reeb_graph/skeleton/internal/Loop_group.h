@@ -295,12 +295,10 @@ private:
       };
       for(std::size_t i = 0; i != shares.size(); ++i)
         for(const int t : {-2, -1, 1, 2})
-          offer({{i, i}, {t, 0}, reduced(before + t * before * shares[i][i])});
-      for(std::size_t i = 0; i != shares.size() && !is_better; ++i)
-        for(const int t : {-2, -1, 1, 2})
         {
           progress_(0);
           const Integer next = reduced(before + t * before * shares[i][i]);
+          offer({{i, i}, {t, 0}, next});
           for(std::size_t j = 0; j != i && next != 0; ++j)
             for(const int u : {-1, 1})
               offer({{i, j},
