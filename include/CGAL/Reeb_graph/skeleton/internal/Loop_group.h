@@ -193,8 +193,8 @@ struct Loop_group
   }
 };
 
-// How often loops are to wind around curves, so that they generate as much as can be. Numbers are those modulo a prime number
-// (M. Mersenne 1644) beyond twice the index.
+// How often loops are to wind around curves, so that they generate as much as can be. Numbers are those modulo a Mersenne
+// prime, beyond twice the index unless that has 2,202 bits.
 class Winding_choice
 {
 public:
