@@ -42,22 +42,52 @@ struct Junction_arm
   std::size_t arc;
   double tube_radius, ball_radius;
   std::vector<Point> line;
+  std::vector<Bbox_3> boxes; // of so many segments each
 
-  // How far a point is from the place on the line that is nearest, in radii of the tube, and whether that is in the ball.
-  std::pair<double, bool> distance_to(const Point& p) const
+  static constexpr std::size_t segments_in_box = 8;
+
+  void make_boxes()
+  {
+    for(std::size_t i = 0; i + 1 < line.size(); ++i)
+    {
+      if(i % segments_in_box == 0)
+        boxes.emplace_back();
+      boxes.back() += line[i].bbox() + line[i + 1].bbox();
+    }
+  }
+
+  // How far a point is from the place on the line that is nearest, in radii of the tube, and whether that is in the ball: more
+  // than a bound where it is not nearer.
+  std::pair<double, bool> distance_to(const Point& p, double bound) const
   {
     std::pair<double, bool> nearest = {std::numeric_limits<double>::infinity(), true};
-    for(std::size_t i = 0; i + 1 != line.size(); ++i)
+    for(std::size_t i = 0; i + 1 < line.size(); ++i)
     {
+      if(i % segments_in_box == 0 && distance_from_box(p, boxes[i / segments_in_box]) / tube_radius > bound)
+      {
+        i += segments_in_box - 1;
+        continue;
+      }
       const auto along = line[i + 1] - line[i];
       const double size = distance_between(line[i], line[i + 1]); // No length is squared, in any unit.
       const double t = size > 0 ? (p - line[i]) / size * (along / size) : 0;
       const Point place = line[i] + std::clamp(t, 0., 1.) * along;
       const double distance = distance_between(p, place) / tube_radius;
+      bound = (std::min)(bound, distance);
       if(distance < nearest.first)
         nearest = {distance, distance_between(place, line.front()) <= ball_radius};
     }
     return nearest;
+  }
+
+private:
+  // A distance along an axis: no more than that of any point of the box.
+  static double distance_from_box(const Point& p, const Bbox_3& box)
+  {
+    double distance = 0;
+    for(int i = 0; i != 3; ++i)
+      distance = (std::max)({distance, (box.min)(i)-p[i], p[i] - (box.max)(i)});
+    return distance;
   }
 };
 
@@ -167,12 +197,13 @@ private:
     };
     visit([&](std::size_t arc, const std::vector<std::size_t>& points, std::size_t outside) {
       arms_of_nodes[points.front()].push_back(arms_.size());
-      arms_.push_back({arc, skeleton[points[outside]].radius, balls.radius(points.front()), {}});
+      arms_.push_back({arc, skeleton[points[outside]].radius, balls.radius(points.front()), {}, {}});
       for(const std::size_t point : points)
       {
         const Coordinates c = coordinates_of(skeleton[point].point);
         arms_.back().line.emplace_back(c[0], c[1], c[2]);
       }
+      arms_.back().make_boxes();
     });
     visit([&](std::size_t, const std::vector<std::size_t>& points, std::size_t outside) {
       const auto& arms = arms_of_nodes[points.front()];
@@ -192,18 +223,21 @@ private:
         center[i] += corner[i] / 3;
     std::pair<std::size_t, bool> nearest = {none, false};
     std::pair<double, std::size_t> least = {std::numeric_limits<double>::infinity(), 0};
+    std::vector<std::size_t> numbers;
     for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh_), mesh_))
       for(const std::size_t number : arms_of_points_[get(vertex_map_, v)])
-      {
-        const Junction_arm& arm = arms_[number];
-        if(arc != none && arm.arc != arc)
-          continue;
-        const auto [distance, is_in_ball] = arm.distance_to({center[0], center[1], center[2]});
-        if(!(std::make_pair(distance, number) < least))
-          continue;
-        least = {distance, number};
-        nearest = {arm.arc, is_in_ball};
-      }
+        if(arc == none || arms_[number].arc == arc)
+          numbers.push_back(number);
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    for(const std::size_t number : numbers)
+    {
+      const auto [distance, is_in_ball] = arms_[number].distance_to({center[0], center[1], center[2]}, least.first);
+      if(!(std::make_pair(distance, number) < least))
+        continue;
+      least = {distance, number};
+      nearest = {arms_[number].arc, is_in_ball};
+    }
     return nearest;
   }
 
