@@ -27,7 +27,6 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -52,24 +51,10 @@ class Pairs_of_one_kind
 public:
   typedef std::vector<Persistence_values> Pairs; // sorted by lower values
 
-  // Which value is the lower one makes no difference. It is that of which more are different, as pairs are looked for by
-  // it, and all of them can be of one saddle.
   Pairs_of_one_kind(Pairs a, Pairs b) : pairs_{std::move(a), std::move(b)}
   {
-    std::set<double> lowers, uppers;
-    for(const Pairs& pairs : pairs_)
-      for(const Persistence_values& pair : pairs)
-      {
-        lowers.insert(pair.lower);
-        uppers.insert(pair.upper);
-      }
     for(Pairs& pairs : pairs_)
-    {
-      for(Persistence_values& pair : pairs)
-        if(lowers.size() < uppers.size())
-          std::swap(pair.lower, pair.upper);
       std::sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) { return p.lower < q.lower; });
-    }
   }
 
   // The bits of a number that is not negative are in its order: so the least one is found exactly. Everything can be
@@ -146,7 +131,8 @@ private:
   std::array<Pairs, 2> pairs_;
 };
 
-// The pairs of a kind. Those without persistence lie on the diagonal.
+// The pairs of a kind. Those without persistence lie on the diagonal. Which value is the lower one makes no difference: it is that of
+// a tip, if there is one, as pairs are looked for by it, and all of them can be of one saddle.
 template <class PairRange>
 Pairs_of_one_kind::Pairs pairs_of_kind(const PairRange& pairs, Persistence_pair_kind kind)
 {
@@ -155,8 +141,11 @@ Pairs_of_one_kind::Pairs pairs_of_kind(const PairRange& pairs, Persistence_pair_
   {
     if(std::isnan(pair.lower) || std::isnan(pair.upper))
       throw Parameter_error("a value of a persistence pair is NaN");
-    if(pair.kind == kind && pair.lower != pair.upper)
-      result.push_back(pair);
+    if(pair.kind != kind || pair.lower == pair.upper)
+      continue;
+    result.push_back(pair);
+    if(kind == Persistence_pair_kind::SADDLE_MAXIMUM)
+      std::swap(result.back().lower, result.back().upper);
   }
   return result;
 }

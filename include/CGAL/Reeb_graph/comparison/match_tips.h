@@ -146,11 +146,9 @@ private:
     compute_reeb_graph(mesh_, distance, given);
     std::vector<Simplification_threshold> thresholds;
     simplification_thresholds(given, std::back_inserter(thresholds));
-    double suggested = 0;
-    for(const Simplification_threshold& threshold : thresholds)
-      if(threshold.is_suggested)
-        suggested = threshold.threshold;
-    const auto simplification = simplify(given, suggested, graph);
+    const auto suggested =
+      std::find_if(thresholds.begin(), thresholds.end(), [](const auto& t) { return t.is_suggested; });
+    const auto simplification = simplify(given, suggested == thresholds.end() ? 0 : suggested->threshold, graph);
     const Augmentation<Mesh, Distance_map> augmentation(mesh_, distance, graph,
                                                         parameters::simplification(simplification));
     arcs_.push_back(compared_arcs(graph, augmentation));
