@@ -16,8 +16,10 @@
 #include "voxel_solids.h"
 
 #include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/scalar_maps.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Detour_choice.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Loop_group.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -174,9 +176,11 @@ std::size_t check_basis(const Triangle_soup& soup)
   return cycles.size();
 }
 
+using CGAL::Reeb_graph::internal::skeleton::Detour_choice;
 using CGAL::Reeb_graph::internal::skeleton::Integer;
 using CGAL::Reeb_graph::internal::skeleton::Loop_group;
 using CGAL::Reeb_graph::internal::skeleton::Row;
+using CGAL::Reeb_graph::internal::skeleton::Tunnel_detour;
 
 std::vector<Row> as_rows(const std::vector<std::vector<long>>& matrix)
 {
@@ -258,6 +262,66 @@ BOOST_AUTO_TEST_CASE(indices_of_dense_groups_are_found)
   BOOST_TEST(Loop_group({{{3, Integer(1) << 100}}}).index_or_most() == (std::numeric_limits<std::size_t>::max)());
 }
 
+// Numbers of tunnels of loops, cycles of chains, and detours are drawn: with the detours that are chosen, loops are independent, and
+// mostly a basis. Then what one more multiplies the determinant with is told.
+BOOST_AUTO_TEST_CASE(detours_make_a_basis)
+{
+  std::mt19937 random(3);
+  const CGAL::Reeb_graph::internal::Progress progress(CGAL::parameters::default_values());
+  int number_of_bases = 0;
+  for(int turn = 0; turn != 300; ++turn)
+  {
+    BOOST_TEST_CONTEXT("turn " << turn)
+    {
+      const std::size_t size = 2 + random() % 6, number_of_chains = 2 * size;
+      std::vector<std::vector<long>> matrix(size, std::vector<long>(size));
+      for(auto& row : matrix)
+        for(long& number : row)
+          number = random() % 3 == 0 ? static_cast<long>(random() % 7) - 3 : 0;
+      matrix[1] = matrix[0];
+      std::vector<Detour_choice::Cycles> cycles(number_of_chains);
+      std::vector<Tunnel_detour> offers;
+      for(std::size_t chain = 0; chain != number_of_chains; ++chain)
+      {
+        for(unsigned cycle = 0; cycle != size; ++cycle)
+          if(chain < size ? cycle == chain : random() % 2 == 0)
+            cycles[chain].push_back({cycle, random() % 2 == 0 ? 1 : -1});
+        for(std::size_t tunnel = 0; tunnel != size; ++tunnel)
+          offers.push_back({chain, tunnel, 1});
+      }
+      std::shuffle(offers.begin(), offers.end(), random);
+      Detour_choice choice(as_rows(matrix), cycles, offers, {progress, 0, 1});
+      const auto pass = [&](const Tunnel_detour& detour) {
+        for(const auto& [cycle, direction] : cycles[detour.chain])
+          matrix[cycle][detour.tunnel] += direction * detour.times;
+      };
+      const auto index = [&] {
+        Matrix numbers;
+        for(const auto& row : matrix)
+          numbers.emplace_back(row.begin(), row.end());
+        return std::lround(determinant(numbers));
+      };
+      for(const Tunnel_detour& detour : choice.detours())
+        pass(detour);
+      long before = index();
+      BOOST_TEST(before != 0);
+      number_of_bases += std::abs(before) == 1 ? 1 : 0;
+      for(int times = 1; std::abs(before) == 1 && times != 4; ++times) // else shares are no whole numbers
+      {
+        const Tunnel_detour more = {random() % number_of_chains, random() % size, times};
+        const auto share = static_cast<long>(choice.shares_of(more.chain)[more.tunnel]);
+        if(1 + times * share == 0)
+          continue;
+        pass(more);
+        BOOST_TEST(index() == before * (1 + times * share));
+        choice.change(more.chain, {{more.tunnel, times}});
+        before = index();
+      }
+    }
+  }
+  BOOST_TEST(number_of_bases > 250);
+}
+
 BOOST_AUTO_TEST_CASE(loops_of_knots_and_links_are_a_basis)
 {
   BOOST_TEST(check_basis(handle_samples::knotted_torus()) == 1u);
@@ -289,6 +353,7 @@ BOOST_AUTO_TEST_CASE(loops_of_sponges_are_a_basis)
     BOOST_TEST_CONTEXT("seed " << seed)
   sum += check_basis(handle_samples::sponge(12, 12, seed));
   BOOST_TEST(sum > 15u);
+  BOOST_TEST(check_basis(handle_samples::sponge(100, 16, 7, 2.2)) == 41u); // Ways along arcs of the graph had index 2.
 }
 
 // Each stage reports, and ends where the callback wants it to.

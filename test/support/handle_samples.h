@@ -118,8 +118,8 @@ inline Triangle_soup gyroid(double radius, double cell_size)
     .take_surface();
 }
 
-// A block less balls at random places.
-inline Triangle_soup sponge(std::size_t number_of_balls, double side, std::size_t seed)
+// A block less balls at random places, whose radii are at least 2.
+inline Triangle_soup sponge(std::size_t number_of_balls, double side, std::size_t seed, double greatest_radius = 4)
 {
   random_meshes::Random random(seed);
   std::vector<std::array<double, 4>> balls(number_of_balls); // centers and radii
@@ -127,7 +127,7 @@ inline Triangle_soup sponge(std::size_t number_of_balls, double side, std::size_
   {
     for(std::size_t i = 0; i != 3; ++i)
       ball[i] = side * static_cast<double>(random.below(1000)) / 1000;
-    ball[3] = 2 + static_cast<double>(random.below(1000)) / 500;
+    ball[3] = 2 + (greatest_radius - 2) * static_cast<double>(random.below(1000)) / 1000;
   }
   const auto function = [&](const Vector& p) {
     double value = -side;

@@ -13,13 +13,22 @@
 
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Detour_choice.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Loop_group.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Loop_linking.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Skeleton_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_ways.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Tunnel_loops.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -35,7 +44,7 @@ public:
                const Graph_chains& chains,
                const Surface_tree& tree,
                Skeleton_lines& lines,
-               bool is_self_intersecting,
+               Field field,
                const Stage_progress& progress)
     : graph_(graph),
       chains_(chains),
@@ -59,8 +68,8 @@ public:
       line = std::move(inside);
       refine(chain);
     }
-    if(!loops_.cycles().empty())
-      let_loops_wind(is_self_intersecting);
+    if(!loops_.closing_chains().empty())
+      let_loops_wind(field);
   }
 
   // Measures how far the lines are from the surface, and counts what is wrong with them, as they are now.
@@ -122,136 +131,178 @@ private:
     return place;
   }
 
-  typedef std::vector<std::vector<Point>> Ways; // by chain
   typedef std::vector<Row> Rows;
 
-  // Looks whether the loops are a basis of those of the solid. If not, lines that wind otherwise than the surface does along their
-  // chains are led as that leads, which can wind as contours do, where there is less wrong with loops then.
-  void let_loops_wind(bool is_self_intersecting)
+  // Looks whether the loops are a basis of those of the solid. If not, lines make detours along tunnels. Contours of the chains
+  // that close loops tell most that are one, and take less time than handles.
+  void let_loops_wind(Field field)
   {
-    const Loop_tracing tracing(graph_, chains_, tree_);
+    std::vector<Polyline> contours;
     for(const Index chain : loops_.closing_chains())
-      curves_.add(tracing.contour(chain, 0.5));
-    const Surface_curves contours = curves_;
-    const Ways lines = polylines();
-    Rows of_lines = count(lines);
-    loop_group_ = loops_.group(of_lines);
+      contours.push_back(contour(chain));
+    loop_group_ = Loop_group(linking_numbers(contours));
     if(loop_group_.is_whole())
       return;
-    add_curves_along_cycles(tracing);
-    of_lines = count(lines);
-    loop_group_ = loops_.group(of_lines);
-    if(loop_group_.is_whole())
+    const Tunnel_loops tunnels(tree_, field, progress_.part(0.5, 0.7));
+    const Rows loops = linking_numbers(tunnels.handles());
+    loop_group_ = Loop_group(loops);
+    if(loop_group_.is_whole() || tunnels.tunnels().empty())
       return;
-    Ways ways = lines;
-    lead(tracing, loops_.chains_on_cycles(), std::vector<int>(ways.size(), 0), progress_.part(0.55, 0.8), ways);
-    Rows of_ways = count(ways);
-    if(!is_self_intersecting && !loops_.group(of_ways).is_whole())
-      wind_ways(tracing, contours, ways, of_ways);
-    const Loop_group group = loops_.group(of_ways);
-    if(!(group < loop_group_))
-      return;
-    loop_group_ = group;
-    keep_lines(lines, of_lines, ways, of_ways);
-    for(Index chain = 0; chain != ways.size(); ++chain)
-      if(of_ways[chain] != of_lines[chain])
-      {
-        lines_.lines()[chain].clear();
-        add_way(ways[chain], place_of_end(chain, false), place_of_end(chain, true), lines_.lines()[chain]);
-      }
-  }
-
-  // Together with the contours, these curves are a basis of all on the surface.
-  void add_curves_along_cycles(const Loop_tracing& tracing)
-  {
-    for(Index chain = 0; chain != chains_.chains().size(); ++chain)
+    const auto before = lines_.lines();
+    const std::vector<Detour> detours = find_detours(tunnels, loops);
+    for(std::size_t i = 0; i != detours.size(); ++i)
     {
-      if(!loops_.is_on_cycle(chain))
-        continue;
-      curves_.polygons.push_back(tracing.curve(chain));
-      curves_.curves_of.push_back(loops_.cycles_of(chain));
-      for(auto& [curve, direction] : curves_.curves_of.back())
-        curve += static_cast<Index>(loops_.cycles().size());
+      progress_.part(0.7, 1).report_step(i, detours.size());
+      make(detours[i]);
     }
+    const Loop_group group(linking_numbers(tunnels.handles()));
+    if(group < loop_group_)
+      loop_group_ = group;
+    else
+      lines_.lines() = before;
   }
 
-  // Lets ways wind around the contours of closing chains, too. A loop of the graph can be one around which contours wind, as in a
-  // thick pipe that fronts pass around before they pass along: then it goes around one of them.
-  void wind_ways(const Loop_tracing& tracing, const Surface_curves& contours, Ways& ways, Rows& rows) const
+  // A way from a place of a chain to the surface, along a loop there, and back.
+  struct Detour
   {
-    const std::vector<Index>& closing = loops_.closing_chains();
-    const Rows of_cycles = loops_.linking_numbers(rows);
-    const Winding_choice choice(of_cycles, numbers_of_turns(tracing, contours, of_cycles), progress_);
-    std::vector<int> windings(ways.size(), 0);
-    for(std::size_t cycle = 0; cycle != closing.size(); ++cycle)
-      windings[closing[cycle]] = choice.windings()[cycle];
-    std::vector<Index> winding;
-    for(const Index chain : closing)
-      if(windings[chain] != 0)
-        winding.push_back(chain);
-    Ways wound(ways.size());
-    lead(tracing, winding, windings, progress_.part(0.8, 1), wound);
-    const Rows of_wound = count(wound);
-    for(const Index chain : winding)
-      if(!wound[chain].empty())
-      {
-        ways[chain] = std::move(wound[chain]);
-        rows[chain] = of_wound[chain];
-      }
-  }
+    Index chain;
+    std::size_t place;
+    Face_path loop;
+    double length;
+  };
 
-  // Turns right beneath contours of closing chains, and what each adds: it winds around another contour as its own contour does, and
-  // around a curve along a cycle as the way of that does around the contour, and once more where the curve passes the contour.
-  Rows numbers_of_turns(const Loop_tracing& tracing, const Surface_curves& contours, const Rows& of_cycles) const
+  // Chooses detours along tunnels, and shortens them. The last places of a chain come first, so that others stay where they are.
+  std::vector<Detour> find_detours(const Tunnel_loops& tunnels, Rows loops) const
   {
-    const std::vector<Index>& closing = loops_.closing_chains();
-    double sum_of_lengths = 0;
-    for(const auto& chain : chains_.chains())
-      sum_of_lengths += chain.length;
-    Ways turns(lines_.lines().size());
-    for(const Index chain : closing)
-      if(chains_.chains()[chain].length > 1e-9 * sum_of_lengths) // Else contours can be the same points.
-      {
-        turns[chain] = tracing.contour(chain, 0.25);
-        turns[chain].push_back(turns[chain].front());
-      }
-    const Rows crossings = loops_.crossings(turns, contours, progress_);
-    Rows result;
-    for(std::size_t i = 0; i != closing.size(); ++i)
+    std::vector<Tunnel_detour> offers = find_offers(tunnels);
+    std::vector<Detour_choice::Cycles> cycles;
+    for(Index chain = 0; chain != lines_.lines().size(); ++chain)
+      cycles.push_back(loops_.cycles_of(chain));
+    // Handles that are hidden in vertices have no loops: they may have any tunnel, but the best ones.
+    for(; loops.size() < tunnels.tunnels().size(); loops.emplace_back())
     {
-      result.push_back(crossings[closing[i]]);
-      if(turns[closing[i]].empty())
-        continue;
-      Row of_curves = {{closing.size() + i, tree_.is_inward() ? 1 : -1}};
-      for(std::size_t k = 0; k != closing.size(); ++k)
-        if(const auto found = of_cycles[k].find(i); found != of_cycles[k].end())
-          add_multiple(of_curves, {{closing.size() + k, found->second}}, 1);
-      add_multiple(result.back(), of_curves, 1);
+      for(std::size_t tunnel = 0; tunnel != tunnels.tunnels().size(); ++tunnel)
+        offers.push_back({cycles.size(), tunnel, 1});
+      cycles.push_back({{static_cast<Index>(loops.size()), 1}});
     }
+    Detour_choice choice(loops, cycles, offers, progress_);
+    std::vector<Detour> detours;
+    for(const Tunnel_detour& detour : choice.detours())
+      if(detour.chain < lines_.lines().size())
+        detours.push_back(nearest_detour(detour, tunnels));
+    std::stable_sort(detours.begin(), detours.end(),
+                     [](const Detour& a, const Detour& b) { return a.length > b.length; });
+    for(Detour& detour : detours)
+      shorten(detour, tunnels, choice);
+    std::stable_sort(detours.begin(), detours.end(),
+                     [](const Detour& a, const Detour& b) { return a.place > b.place; });
+    return detours;
+  }
+
+  // Detours along tunnels, the shortest one first.
+  std::vector<Tunnel_detour> find_offers(const Tunnel_loops& tunnels) const
+  {
+    std::vector<std::pair<double, Tunnel_detour>> offers;
+    for(const Index chain : loops_.chains_on_cycles())
+      for(std::size_t tunnel = 0; tunnel != tunnels.tunnels().size(); ++tunnel)
+      {
+        progress_(0); // so that it can be cancelled
+        offers.push_back({nearest_detour({chain, tunnel, 0}, tunnels).length, {chain, tunnel, 1}});
+      }
+    std::stable_sort(offers.begin(), offers.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Tunnel_detour> result;
+    for(const auto& [length, detour] : offers)
+      result.push_back(detour);
     return result;
   }
 
-  // Gives as many chains as can be their lines back, as ways along the surface are long: those first whose ways are longest.
-  void keep_lines(const Ways& lines, const Rows& of_lines, const Ways& ways, Rows& of_ways) const
+  // A detour from where its chain is nearest to its tunnel.
+  Detour nearest_detour(const Tunnel_detour& along, const Tunnel_loops& tunnels) const
   {
-    std::vector<std::pair<double, Index>> order;
-    for(Index chain = 0; chain != ways.size(); ++chain)
-      if(of_ways[chain] != of_lines[chain])
-        order.emplace_back(length_of(lines[chain]) - length_of(ways[chain]), chain);
-    std::sort(order.begin(), order.end());
-    std::vector<Kept_lines::Candidate> candidates;
-    for(const auto& [any, chain] : order)
+    const Mesh& mesh = graph_.mesh();
+    const auto chain = static_cast<Index>(along.chain);
+    const auto& steps = tunnels.tunnels()[along.tunnel].steps;
+    const std::size_t size = steps.size();
+    Detour detour = {chain, 0, {}, std::numeric_limits<double>::infinity()};
+    std::size_t first = 0;
+    for(std::size_t place = 0; place <= lines_.lines()[chain].size(); ++place)
     {
-      candidates.push_back({loops_.cycles_of(chain), of_lines[chain]});
-      add_multiple(candidates.back().change, of_ways[chain], -1);
+      const Point p = lines_.place(chain, place).point;
+      for(std::size_t i = 0; i != size; ++i)
+        if(const double squared = squared_distance(p, mesh.point(mesh.source(steps[i]))); squared < detour.length)
+        {
+          detour.length = squared;
+          detour.place = place;
+          first = i;
+        }
     }
-    const Kept_lines kept(loops_.linking_numbers(of_ways), candidates, progress_);
-    Rows rows = of_ways;
-    for(std::size_t i = 0; i != order.size(); ++i)
-      if(kept.is_kept(i))
-        rows[order[i].second] = of_lines[order[i].second];
-    if(!(loop_group_ < loops_.group(rows)))
-      of_ways = std::move(rows);
+    detour.length = 2 * std::sqrt(detour.length) + tunnels.length_of(tunnels.tunnels()[along.tunnel]);
+    detour.loop.begin = mesh.face(steps[first]);
+    for(std::size_t i = 0; i != size * static_cast<std::size_t>(std::abs(along.times)); ++i)
+      detour.loop.steps.push_back(steps[(first + i) % size]);
+    if(along.times < 0)
+      detour.loop = detour.loop.reversed(mesh);
+    return detour;
+  }
+
+  // Puts a shorter loop in place of that of a detour, with which loops generate as much.
+  void shorten(Detour& detour, const Tunnel_loops& tunnels, Detour_choice& choice) const
+  {
+    const std::vector<std::int64_t> shares = choice.shares_of(detour.chain);
+    if(shares.empty())
+      return;
+    Row change;
+    std::int64_t share = 0;
+    for(const auto& [tunnel, number] : tunnels.tunnels_of(detour.loop))
+    {
+      share += static_cast<std::int64_t>(number) * shares[tunnel];
+      change[tunnel] = -number;
+    }
+    bool is_shorter = false;
+    const std::size_t number_of_places = lines_.lines()[detour.chain].size() + 1;
+    for(std::size_t place = 0; place < number_of_places; place += number_of_places / 8 + 1)
+    {
+      progress_(0); // so that it can be cancelled
+      const Point p = lines_.place(detour.chain, place).point;
+      const auto [foot, face] = tree_.closest_place(p);
+      const double away = 2 * distance(p, foot);
+      auto loop = tunnels.shorter_loop(face, detour.length - away, shares, {share, share - 2});
+      if(!loop)
+        continue;
+      is_shorter = true;
+      detour = {detour.chain, place, std::move(*loop), 0};
+      detour.length = away + tunnels.length_of(detour.loop);
+    }
+    if(!is_shorter)
+      return;
+    add_multiple(change, tunnels.tunnels_of(detour.loop), 1);
+    choice.change(detour.chain, change);
+  }
+
+  void make(const Detour& detour)
+  {
+    auto& line = lines_.lines()[detour.chain];
+    const Place place =
+      detour.place == 0 ? place_of_end(detour.chain, false) : Place{line[detour.place - 1], std::nullopt};
+    std::vector<Line_point> points;
+    add_way(ways_.way_along(place.surface_place(), place.surface_place(), detour.loop), place, place, points);
+    if(points.empty())
+      return;
+    points.push_back(place.point);
+    line.insert(line.begin() + static_cast<std::ptrdiff_t>(detour.place), points.begin(), points.end());
+  }
+
+  // A contour of the longest arc of a chain, in its middle.
+  std::vector<Point> contour(Index chain) const
+  {
+    const auto& pieces = chains_.chains()[chain].pieces;
+    const auto size = [&](const auto& piece) {
+      const auto& ends = graph_.ends(piece.arc);
+      return graph_.value(ends[1]) - graph_.value(ends[0]);
+    };
+    const auto& longest =
+      *std::max_element(pieces.begin(), pieces.end(), [&](const auto& p, const auto& q) { return size(p) < size(q); });
+    return graph_.contour_points(longest.arc, 0.5);
   }
 
   static double length_of(const std::vector<Point>& way)
@@ -262,33 +313,13 @@ private:
     return sum;
   }
 
-  // Sets the ways of some chains as the surface leads, where there are such.
-  void lead(const Loop_tracing& tracing,
-            const std::vector<Index>& chains,
-            const std::vector<int>& windings,
-            const Stage_progress& progress,
-            Ways& ways) const
+  Rows linking_numbers(const std::vector<Polyline>& curves) const
   {
-    for(std::size_t i = 0; i != chains.size(); ++i)
-    {
-      const Index chain = chains[i];
-      progress.report_step(i, chains.size());
-      auto way = ways_.way_along(place_of_end(chain, false).surface_place(), place_of_end(chain, true).surface_place(),
-                                 tracing.path(chain, windings[chain]));
-      if(!way.empty())
-        ways[chain] = std::move(way);
-    }
-  }
-
-  Rows count(const Ways& ways) const { return loops_.crossings(ways, curves_, progress_.part(0.5, 1)); }
-
-  Ways polylines() const
-  {
-    Ways result(lines_.lines().size());
-    for(Index line = 0; line != result.size(); ++line)
+    std::vector<Polyline> polylines(lines_.lines().size());
+    for(Index line = 0; line != polylines.size(); ++line)
       for(std::size_t i = 0; i != lines_.lines()[line].size() + 2; ++i)
-        result[line].push_back(lines_.place(line, i).point);
-    return result;
+        polylines[line].push_back(lines_.place(line, i).point);
+    return loops_.linking_numbers(polylines, curves, progress_.part(0.5, 1));
   }
 
   void refine(Index chain)
@@ -350,7 +381,6 @@ private:
   Skeleton_lines& lines_;
   const Stage_progress progress_;
   const Loop_linking loops_;
-  Surface_curves curves_; // around which loops are to wind
   Loop_group loop_group_{{}};
   std::size_t number_outside_ = 0, number_of_crossings_ = 0;
 };

@@ -11,14 +11,10 @@
 
 #include <CGAL/license/Reeb_graph.h>
 
-#include <CGAL/Reeb_graph/internal/base/Index.h>
-
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -58,34 +54,28 @@ std::vector<Integer> in_columns(const Row& row, const Columns& columns)
 class Generated_group
 {
 public:
-  // Numbers are those modulo `modulus`, where that is not 0. Returns which rows depend on those before them.
-  std::vector<std::size_t> add_all(const std::vector<Row>& rows, const Integer& modulus = 0)
+  // Numbers are those modulo `modulus`, where that is not 0.
+  void add_all(const std::vector<Row>& rows, const Integer& modulus = 0)
   {
-    std::vector<std::size_t> dependent;
-    for(std::size_t i = 0; i != rows.size(); ++i)
+    for(const Row& other : rows)
     {
       Row row;
-      add_multiple(row, rows[i], 1, modulus);
-      if(!add(std::move(row), modulus))
-        dependent.push_back(i);
+      add_multiple(row, other, 1, modulus);
+      add(std::move(row), modulus);
     }
-    return dependent;
   }
 
   // A row for each rank, by its first column.
   const std::map<std::size_t, Row>& basis() const { return basis_; }
 
 private:
-  // Returns whether the rank has grown.
-  bool add(Row row, const Integer& modulus)
+  void add(Row row, const Integer& modulus)
   {
     while(!row.empty())
     {
       const std::size_t column = row.begin()->first;
       Row& pivot = basis_[column];
       pivot.swap(row);
-      if(row.empty())
-        return true;
       while(row.count(column) != 0) // as Euclid
       {
         add_multiple(row, pivot, -(row[column] / pivot[column]), modulus);
@@ -93,7 +83,6 @@ private:
           row.swap(pivot);
       }
     }
-    return false;
   }
 
   std::map<std::size_t, Row> basis_; // by first column
@@ -191,240 +180,6 @@ struct Loop_group
   {
     return std::tie(number_of_dependent, index) < std::tie(other.number_of_dependent, other.index);
   }
-};
-
-// How often loops are to wind around curves, so that they generate as much as can be. Numbers are those modulo a Mersenne
-// prime, beyond twice the index unless that has 2,202 bits.
-class Winding_choice
-{
-public:
-  // By linking numbers of loops, and by those that one winding of each adds.
-  Winding_choice(const std::vector<Row>& loops, const std::vector<Row>& added, const Stage_progress& progress)
-    : progress_(progress),
-      windings_(loops.size(), 0)
-  {
-    for(const std::size_t loop : Generated_group().add_all(loops, prime_))
-      windings_[loop] = 1;
-    std::vector<Row> wound = loops;
-    for(std::size_t i = 0; i != loops.size(); ++i)
-      add_multiple(wound[i], added[i], windings_[i]);
-    const Integer index = Loop_group(wound).index;
-    for(const unsigned exponent : {521, 2203})
-      if(2 * index > prime_)
-        prime_ = (Integer(1) << exponent) - 1;
-    Generated_group independent; // in the columns of its basis
-    if(!independent.add_all(wound, prime_).empty())
-      return;
-    Matrix of_added = restricted(added, independent);
-    divide(of_added, restricted(wound, independent));
-    improve(of_added, index);
-  }
-
-  const std::vector<int>& windings() const { return windings_; }
-
-private:
-  typedef std::vector<std::vector<Integer>> Matrix;
-
-  // The number of least size.
-  Integer reduced(Integer number) const
-  {
-    number %= prime_;
-    if(2 * abs(number) > prime_)
-      number += number < 0 ? prime_ : -prime_;
-    return number;
-  }
-
-  Integer inverse(const Integer& number) const { return powm(Integer((number + prime_) % prime_), prime_ - 2, prime_); }
-
-  static Matrix restricted(const std::vector<Row>& rows, const Generated_group& group)
-  {
-    Matrix result;
-    for(const Row& row : rows)
-      result.push_back(in_columns(row, group.basis()));
-    return result;
-  }
-
-  // Divides by a matrix whose columns are independent, by operations on columns.
-  void divide(Matrix& numbers, Matrix by) const
-  {
-    const std::size_t size = by.size();
-    const auto for_each_row = [&](const auto& act) {
-      for(Matrix* matrix : {&by, &numbers})
-        for(auto& row : *matrix)
-          act(row);
-    };
-    for(std::size_t i = 0; i != size; ++i)
-    {
-      progress_(0); // so that it can be cancelled
-      std::size_t pivot = i;
-      while(by[i][pivot] == 0)
-        ++pivot;
-      for_each_row([&](auto& row) { row[pivot].swap(row[i]); });
-      const Integer factor = inverse(by[i][i]);
-      for_each_row([&](auto& row) { row[i] = reduced(row[i] * factor); });
-      const std::vector<Integer> pivots = by[i];
-      for_each_row([&](auto& row) {
-        for(std::size_t k = 0; k != size && row[i] != 0; ++k)
-          if(k != i && pivots[k] != 0)
-            row[k] = reduced(row[k] - pivots[k] * row[i]);
-      });
-    }
-  }
-
-  // A loop that winds some times more, and a second one, if any.
-  struct Change
-  {
-    std::array<std::size_t, 2> loops = {};
-    std::array<int, 2> times = {};
-    Integer index;
-  };
-
-  // Winds loops as long as the index falls. A winding of loop i multiplies it by 1 + shares[i][i].
-  void improve(Matrix& shares, const Integer& index)
-  {
-    Change best = {{}, {}, index};
-    for(bool is_better = true; is_better && abs(best.index) != 1;)
-    {
-      is_better = false;
-      const Integer before = best.index;
-      const auto offer = [&](const Change& change) {
-        if(change.index == 0 || abs(change.index) >= abs(best.index))
-          return;
-        best = change;
-        is_better = true;
-      };
-      for(std::size_t i = 0; i != shares.size(); ++i)
-        for(const int t : {-2, -1, 1, 2})
-        {
-          progress_(0);
-          const Integer next = reduced(before + t * before * shares[i][i]);
-          offer({{i, i}, {t, 0}, next});
-          for(std::size_t j = 0; j != i && next != 0; ++j)
-            for(const int u : {-1, 1})
-              offer({{i, j},
-                     {t, u},
-                     reduced(next + u * before * (shares[j][j] + t * shares[i][i] * shares[j][j])
-                             - u * t * before * reduced(shares[i][j] * shares[j][i]))});
-        }
-      for(const int k : {0, 1})
-        if(is_better && best.times[k] != 0)
-          wind(best.loops[k], best.times[k], shares);
-    }
-  }
-
-  void wind(std::size_t loop, int times, Matrix& shares)
-  {
-    windings_[loop] += times;
-    const Integer factor = reduced(times * inverse(reduced(1 + times * shares[loop][loop])));
-    const std::vector<Integer> row = shares[loop];
-    for(auto& other : shares)
-      if(const Integer share = reduced(other[loop] * factor); share != 0)
-        for(std::size_t k = 0; k != row.size(); ++k)
-          other[k] = reduced(other[k] - share * row[k]);
-  }
-
-  const Stage_progress progress_;
-  std::vector<int> windings_;
-  Integer prime_ = (Integer(1) << 127) - 1;
-};
-
-// Which chains can keep lines of their own in place of ways that are led: as many as are found one after the other, so that the
-// loops generate as much as with all ways. Numbers are those modulo a prime number.
-class Kept_lines
-{
-public:
-  struct Candidate
-  {
-    std::vector<std::pair<Index, int>> cycles; // that pass the chain, with 1 or -1 for a direction
-    Row change;                                // what its line adds more than its way
-  };
-
-  // By linking numbers of loops with ways, and the chains in the order in which they are tried.
-  Kept_lines(const std::vector<Row>& loops, const std::vector<Candidate>& candidates, const Stage_progress& progress)
-    : is_kept_(candidates.size(), false)
-  {
-    const std::vector<Numbers> sums = as_sums_of_loops(loops, candidates, progress);
-    if(sums.empty())
-      return;
-    // A line that is kept multiplies the index by 1 + shares[i][i].
-    std::vector<Numbers> shares(candidates.size(), Numbers(candidates.size(), 0));
-    for(std::size_t i = 0; i != shares.size(); ++i)
-      for(std::size_t j = 0; j != shares.size(); ++j)
-        for(const auto& [cycle, direction] : candidates[j].cycles)
-          shares[i][j] = (shares[i][j] + (direction > 0 ? 1 : prime - 1) * sums[cycle][loops.size() + i]) % prime;
-    for(bool is_any_new = true; is_any_new;)
-    {
-      is_any_new = false;
-      for(std::size_t i = 0; i != shares.size(); ++i)
-        if(const Number factor = (1 + shares[i][i]) % prime; !is_kept_[i] && (factor == 1 || factor == prime - 1))
-        {
-          progress(0);
-          const Numbers row = shares[i];
-          for(Numbers& other : shares)
-            add(other, (prime - other[i]) * factor % prime, row);
-          is_kept_[i] = is_any_new = true;
-        }
-    }
-  }
-
-  bool is_kept(std::size_t candidate) const { return is_kept_[candidate]; }
-
-private:
-  typedef std::uint64_t Number;
-  typedef std::vector<Number> Numbers;
-  static constexpr Number prime = 2147483647;
-
-  static void add(Numbers& row, Number factor, const Numbers& other)
-  {
-    for(std::size_t k = 0; factor != 0 && k != row.size(); ++k)
-      row[k] = (row[k] + factor * other[k]) % prime;
-  }
-
-  static Number inverse(Number number)
-  {
-    Number result = 1;
-    for(Number exponent = prime - 2; exponent != 0; exponent /= 2, number = number * number % prime)
-      result = exponent % 2 == 1 ? result * number % prime : result;
-    return result;
-  }
-
-  // A row for each loop: after a part of the unit matrix, how often each change has the loop. None if loops are dependent.
-  static std::vector<Numbers> as_sums_of_loops(const std::vector<Row>& loops,
-                                               const std::vector<Candidate>& candidates,
-                                               const Stage_progress& progress)
-  {
-    std::map<std::size_t, Numbers> by_curve;
-    for(std::size_t i = 0; i != loops.size() + candidates.size(); ++i)
-      for(const auto& [curve, number] : i < loops.size() ? loops[i] : candidates[i - loops.size()].change)
-      {
-        Numbers& row = by_curve[curve];
-        row.resize(loops.size() + candidates.size());
-        row[i] = static_cast<Number>((number % prime + prime) % prime);
-      }
-    std::vector<Numbers> rows;
-    for(auto& [curve, row] : by_curve)
-      rows.push_back(std::move(row));
-    for(std::size_t i = 0; i != loops.size(); ++i)
-    {
-      progress(0); // so that it can be cancelled
-      std::size_t pivot = i;
-      while(pivot < rows.size() && rows[pivot][i] == 0)
-        ++pivot;
-      if(pivot >= rows.size())
-        return {};
-      rows[i].swap(rows[pivot]);
-      const Number factor = inverse(rows[i][i]);
-      for(Number& number : rows[i])
-        number = number * factor % prime;
-      for(Numbers& row : rows)
-        if(&row != &rows[i])
-          add(row, (prime - row[i]) % prime, rows[i]);
-    }
-    rows.resize(loops.size());
-    return rows;
-  }
-
-  std::vector<bool> is_kept_;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

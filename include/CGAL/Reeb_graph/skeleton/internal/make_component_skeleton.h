@@ -194,7 +194,7 @@ Component_skeleton make_component_skeleton(Component component,
   Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, is_border, progress.part(0.2, 0.4));
   Graph_chains chains(graph, pruning);
   Skeleton_lines lines(graph, chains, component, options, are_distances, progress.part(0.4, 0.45));
-  Inside_lines inside(graph, chains, tree, lines, result.is_self_intersecting, progress.part(0.45, 0.6));
+  Inside_lines inside(graph, chains, tree, lines, field, progress.part(0.45, 0.6));
   if(options.smooth > 0 && tree.has_area())
     const Line_centering centering(graph, chains, tree, lines, options.smooth, progress.part(0.6, 0.9));
   if(tree.has_area())

@@ -1,0 +1,198 @@
+// Copyright (c) 2026  The Reeb_graph authors.  All rights reserved.
+//
+// This file is part of Reeb_graph, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+//
+// Author(s)     : The Reeb_graph authors
+
+#ifndef CGAL_REEB_GRAPH_SKELETON_INTERNAL_TUNNEL_LOOPS_H
+#define CGAL_REEB_GRAPH_SKELETON_INTERNAL_TUNNEL_LOOPS_H
+
+#include <CGAL/license/Reeb_graph.h>
+
+#include <CGAL/Reeb_graph/handles/handle_and_tunnel_loops.h>
+#include <CGAL/Reeb_graph/internal/base/Index.h>
+#include <CGAL/Reeb_graph/internal/base/Progress.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Loop_group.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Loop_linking.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Surface_ways.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Reeb_graph::internal::skeleton {
+
+// The tunnels of a surface: a basis of the loops of its solid. How often another loop of faces has each of them is told by how
+// often it passes its handle. There are none where the surface tells no sides.
+class Tunnel_loops
+{
+public:
+  Tunnel_loops(const Surface_tree& tree, Field field, const Stage_progress& progress)
+    : mesh_(tree.mesh()),
+      tree_(tree),
+      handles_of_(mesh_.num_edges())
+  {
+    const auto found =
+      handle_and_tunnel_loops(mesh_, field, parameters::check_self_intersections(false).callback(progress.callback()));
+    for(std::size_t i = 0; i != found.loops().size(); ++i)
+    {
+      const auto& loop = found.loops()[i];
+      if(loop.kind == Loop_kind::LOOP)
+        handles_.push_back(polygon(loop.halfedges));
+      else if(loop.kind == Loop_kind::HANDLE)
+        add(loop.halfedges, found.loops()[loop.partner].halfedges, found.linking_number(loop.partner, i));
+    }
+  }
+
+  const std::vector<Face_path>& tunnels() const { return tunnels_; } // Each ends where it begins.
+  // Each tunnel winds once around its handle, and around no other one. Where there are no sides, these are all loops.
+  const std::vector<Polyline>& handles() const { return handles_; }
+
+  double length_of(const Face_path& path) const
+  {
+    double sum = 0;
+    for(const auto h : path.steps)
+      sum += step(h);
+    return sum;
+  }
+
+  // How often a loop has each tunnel.
+  Row tunnels_of(const Face_path& loop) const
+  {
+    Row result;
+    for(const auto h : loop.steps)
+      for_each_passed(h, [&](std::size_t tunnel, int sign) { add_multiple(result, {{tunnel, sign}}, 1); });
+    return result;
+  }
+
+  // A loop from a face and back that is shorter than a bound, among those that an edge closes with a tree of shortest paths.
+  // Its tunnels have values, whose sum is to be one of two.
+  std::optional<Face_path> shorter_loop(Mesh::Face_index from,
+                                        double bound,
+                                        const std::vector<std::int64_t>& values,
+                                        const std::array<std::int64_t, 2>& wanted) const
+  {
+    const auto passed = [&](Mesh::Halfedge_index h) {
+      std::int64_t sum = 0;
+      for_each_passed(h, [&](std::size_t tunnel, int sign) { sum += sign * values[tunnel]; });
+      return sum;
+    };
+    std::unordered_map<std::size_t, Reached> reached = {{from.idx(), {0, 0, Mesh::null_halfedge(), false}}};
+    typedef std::pair<double, Mesh::Face_index> Entry;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::optional<Mesh::Halfedge_index> closing;
+    for(queue.push({0, from}); !queue.empty() && 2 * queue.top().first < bound;)
+    {
+      const auto f = queue.top().second;
+      queue.pop();
+      Reached& at = reached.at(f.idx());
+      if(std::exchange(at.is_final, true))
+        continue;
+      const auto [so_far, sum_so_far] = std::make_pair(at.distance, at.sum);
+      auto h = mesh_.halfedge(f);
+      for(int i = 0; i != 3; ++i, h = mesh_.next(h))
+      {
+        const Reached next = {so_far + step(h), sum_so_far + passed(h), h, false};
+        Reached& other = reached.insert({across(h).idx(), next}).first->second;
+        if(!other.is_final && next.distance <= other.distance)
+        {
+          other = next;
+          queue.push({next.distance, across(h)});
+        }
+        else if(other.is_final && next.distance + other.distance < bound)
+          for(const int sign : {-1, 1})
+            if(std::count(wanted.begin(), wanted.end(), sign * (next.sum - other.sum)) != 0)
+            {
+              bound = next.distance + other.distance;
+              closing = sign > 0 ? h : mesh_.opposite(h);
+            }
+      }
+    }
+    if(!closing)
+      return std::nullopt;
+    const auto path_to = [&](Mesh::Face_index f) {
+      Face_path path = {from, {}};
+      for(; f != from; f = mesh_.face(path.steps.back()))
+        path.steps.push_back(reached.at(f.idx()).through);
+      std::reverse(path.steps.begin(), path.steps.end());
+      return path;
+    };
+    Face_path loop = path_to(mesh_.face(*closing));
+    loop.steps.push_back(*closing);
+    const Face_path back = path_to(across(*closing)).reversed(mesh_);
+    loop.steps.insert(loop.steps.end(), back.steps.begin(), back.steps.end());
+    return loop;
+  }
+
+private:
+  struct Reached
+  {
+    double distance;
+    std::int64_t sum;
+    Mesh::Halfedge_index through;
+    bool is_final;
+  };
+
+  Mesh::Face_index across(Mesh::Halfedge_index h) const { return mesh_.face(mesh_.opposite(h)); }
+  bool is_forward(Mesh::Halfedge_index h) const { return h < mesh_.opposite(h); }
+  double step(Mesh::Halfedge_index h) const { return distance(tree_.center(mesh_.face(h)), tree_.center(across(h))); }
+
+  template <class Halfedges>
+  std::vector<Point> polygon(const Halfedges& loop) const
+  {
+    std::vector<Point> points;
+    for(const auto h : loop)
+      points.push_back(mesh_.point(mesh_.source(h)));
+    return points;
+  }
+
+  template <class Halfedges>
+  void add(const Halfedges& handle, const Halfedges& tunnel, long long linking_number)
+  {
+    const std::size_t number = tunnels_.size();
+    std::vector<Point> points = polygon(handle);
+    if(linking_number < 0)
+      std::reverse(points.begin(), points.end());
+    handles_.push_back(std::move(points));
+    for(const auto h : handle)
+      handles_of_[mesh_.edge(h).idx()].emplace_back(number, is_forward(h) ? 1 : -1);
+    Face_path path = {mesh_.face(tunnel.front()), {}};
+    for(std::size_t i = 0; i != tunnel.size(); ++i)
+      for(auto g = mesh_.next(tunnel[i]); g != tunnel[(i + 1) % tunnel.size()]; g = mesh_.next(mesh_.opposite(g)))
+        path.steps.push_back(g);
+    tunnels_.push_back(std::move(path));
+    signs_.push_back(1);
+    signs_.back() = static_cast<int>(tunnels_of(tunnels_.back())[number]);
+  }
+
+  // Calls visit(tunnel, sign) for those whose handles a step passes.
+  template <class Visit>
+  void for_each_passed(Mesh::Halfedge_index h, const Visit& visit) const
+  {
+    for(const auto& [tunnel, sign] : handles_of_[mesh_.edge(h).idx()])
+      visit(tunnel, is_forward(h) ? sign * signs_[tunnel] : -sign * signs_[tunnel]);
+  }
+
+  const Mesh& mesh_;
+  const Surface_tree& tree_;
+  std::vector<std::vector<std::pair<std::size_t, int>>> handles_of_; // by edge
+  std::vector<int> signs_;                                           // by tunnel: of what passes its handle as it does
+  std::vector<Face_path> tunnels_;
+  std::vector<Polyline> handles_;
+};
+
+} // namespace CGAL::Reeb_graph::internal::skeleton
+
+#endif // CGAL_REEB_GRAPH_SKELETON_INTERNAL_TUNNEL_LOOPS_H
