@@ -20,7 +20,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -44,99 +43,83 @@ struct Persistence_values
 
 namespace internal {
 
-// The pairs of one kind of two graphs: how far the values of one have to move to be those of the other one. A pair may
-// also move to the diagonal, where its two values are the same, by half of its persistence.
-class Pairs_of_one_kind
+typedef std::vector<Persistence_values> Pairs_of_one_kind; // sorted by lower values
+
+inline bool is_near(double x, double y, double distance) { return persistence(x, y) <= distance; }
+
+inline std::size_t first_near(const Pairs_of_one_kind& pairs, double lower, double distance)
 {
-public:
-  typedef std::vector<Persistence_values> Pairs; // sorted by lower values
+  return static_cast<std::size_t>(
+    std::partition_point(pairs.begin(), pairs.end(),
+                         [&](const auto& p) { return p.lower < lower && !is_near(p.lower, lower, distance); })
+    - pairs.begin());
+}
 
-  Pairs_of_one_kind(Pairs a, Pairs b) : pairs_{std::move(a), std::move(b)}
+// Whether different pairs of `to` can be found for all pairs of `from` that are too far from the diagonal. Where that
+// is so in both directions, one assignment covers the pairs of both sides: the theorem of Mendelsohn and Dulmage.
+inline bool can_be_covered(const Pairs_of_one_kind& from, const Pairs_of_one_kind& to, double distance)
+{
+  const std::size_t none = from.size();
+  std::vector<std::size_t> partner(to.size(), none), reached_by(to.size(), none), reached_from(to.size());
+  std::vector<std::size_t> own(from.size(), to.size()), queue;
+  for(std::size_t i = 0; i != from.size(); ++i)
   {
-    for(Pairs& pairs : pairs_)
-      std::sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) { return p.lower < q.lower; });
-  }
-
-  // The bits of a number that is not negative are in its order: so the least one is found exactly. Everything can be
-  // covered from an infinite distance.
-  double distance() const
-  {
-    double distance = std::numeric_limits<double>::infinity();
-    std::uint64_t low = 0, high = 0;
-    for(std::memcpy(&high, &distance, sizeof high); low < high;)
+    if(persistence(from[i].lower, from[i].upper) / 2 <= distance)
+      continue;
+    std::size_t end = to.size(); // of a path on which partners change, if there is one
+    queue.assign(1, i);
+    for(std::size_t k = 0; k != queue.size() && end == to.size(); ++k)
     {
-      const std::uint64_t middle = low + (high - low) / 2;
-      std::memcpy(&distance, &middle, sizeof distance);
-      if(can_be_covered(pairs_[0], pairs_[1], distance) && can_be_covered(pairs_[1], pairs_[0], distance))
-        high = middle;
-      else
-        low = middle + 1;
+      const Persistence_values& pair = from[queue[k]];
+      for(std::size_t j = first_near(to, pair.lower, distance);
+          j != to.size() && end == to.size() && is_near(pair.lower, to[j].lower, distance); ++j)
+        if(reached_by[j] != i && is_near(pair.upper, to[j].upper, distance))
+        {
+          reached_by[j] = i;
+          reached_from[j] = queue[k];
+          if(partner[j] == none)
+            end = j;
+          else
+            queue.push_back(partner[j]);
+        }
     }
-    std::memcpy(&distance, &low, sizeof distance);
-    return distance;
-  }
-
-private:
-  static double half_persistence(const Persistence_values& pair) { return persistence(pair.lower, pair.upper) / 2; }
-
-  // Whether different pairs of `to` can be found for all pairs of `from` that are too far from the diagonal. Where that
-  // is so in both directions, one assignment covers the pairs of both sides: the theorem of Mendelsohn and Dulmage.
-  static bool can_be_covered(const Pairs& from, const Pairs& to, double distance)
-  {
-    const std::size_t none = from.size();
-    std::vector<std::size_t> partner(to.size(), none), reached_by(to.size(), none), reached_from(to.size());
-    std::vector<std::size_t> own(from.size(), to.size()), queue;
-    for(std::size_t i = 0; i != from.size(); ++i)
+    if(end == to.size())
+      return false;
+    while(end != to.size())
     {
-      if(half_persistence(from[i]) <= distance)
-        continue;
-      std::size_t end = to.size(); // of a path on which partners change, if there is one
-      queue.assign(1, i);
-      for(std::size_t k = 0; k != queue.size() && end == to.size(); ++k)
-      {
-        const Persistence_values& pair = from[queue[k]];
-        std::size_t j = first_near(to, pair.lower, distance);
-        for(; j != to.size() && end == to.size() && is_near(pair.lower, to[j].lower, distance); ++j)
-          if(reached_by[j] != i && is_near(pair.upper, to[j].upper, distance))
-          {
-            reached_by[j] = i;
-            reached_from[j] = queue[k];
-            if(partner[j] == none)
-              end = j;
-            else
-              queue.push_back(partner[j]);
-          }
-      }
-      if(end == to.size())
-        return false;
-      while(end != to.size())
-      {
-        const std::size_t changed = partner[end] = reached_from[end];
-        end = std::exchange(own[changed], end);
-      }
+      const std::size_t changed = partner[end] = reached_from[end];
+      end = std::exchange(own[changed], end);
     }
-    return true;
   }
+  return true;
+}
 
-  static bool is_near(double x, double y, double distance) { return persistence(x, y) <= distance; }
-
-  static std::size_t first_near(const Pairs& pairs, double lower, double distance)
+// How far the values of the pairs of one kind of a graph have to move to be those of another one. A pair may also move to the diagonal,
+// where its two values are the same, by half of its persistence. The bits of a number that is not negative are in its order: so the
+// least one is found exactly. Everything can be covered from an infinite distance.
+inline double distance_of_kind(const Pairs_of_one_kind& a, const Pairs_of_one_kind& b)
+{
+  double distance = std::numeric_limits<double>::infinity();
+  std::uint64_t low = 0, high = 0;
+  for(std::memcpy(&high, &distance, sizeof high); low < high;)
   {
-    return static_cast<std::size_t>(
-      std::partition_point(pairs.begin(), pairs.end(),
-                           [&](const auto& p) { return p.lower < lower && !is_near(p.lower, lower, distance); })
-      - pairs.begin());
+    const std::uint64_t middle = low + (high - low) / 2;
+    std::memcpy(&distance, &middle, sizeof distance);
+    if(can_be_covered(a, b, distance) && can_be_covered(b, a, distance))
+      high = middle;
+    else
+      low = middle + 1;
   }
-
-  std::array<Pairs, 2> pairs_;
-};
+  std::memcpy(&distance, &low, sizeof distance);
+  return distance;
+}
 
 // The pairs of a kind. Those without persistence lie on the diagonal. Which value is the lower one makes no difference: it is that of
 // a tip, if there is one, as pairs are looked for by it, and all of them can be of one saddle.
 template <class PairRange>
-Pairs_of_one_kind::Pairs pairs_of_kind(const PairRange& pairs, Persistence_pair_kind kind)
+Pairs_of_one_kind pairs_of_kind(const PairRange& pairs, Persistence_pair_kind kind)
 {
-  Pairs_of_one_kind::Pairs result;
+  Pairs_of_one_kind result;
   for(const Persistence_values& pair : pairs)
   {
     if(std::isnan(pair.lower) || std::isnan(pair.upper))
@@ -147,6 +130,7 @@ Pairs_of_one_kind::Pairs pairs_of_kind(const PairRange& pairs, Persistence_pair_
     if(kind == Persistence_pair_kind::SADDLE_MAXIMUM)
       std::swap(result.back().lower, result.back().upper);
   }
+  std::sort(result.begin(), result.end(), [](const auto& p, const auto& q) { return p.lower < q.lower; });
   return result;
 }
 
@@ -210,9 +194,8 @@ double bottleneck_distance(const PairRangeA& pairs_a, const PairRangeB& pairs_b)
   double distance = 0;
   for(const Persistence_pair_kind kind : {Persistence_pair_kind::MINIMUM_SADDLE, Persistence_pair_kind::SADDLE_MAXIMUM,
                                           Persistence_pair_kind::MINIMUM_MAXIMUM, Persistence_pair_kind::LOOP})
-    distance = (std::max)(distance, internal::Pairs_of_one_kind(internal::pairs_of_kind(pairs_a, kind),
-                                                                internal::pairs_of_kind(pairs_b, kind))
-                                      .distance());
+    distance = (std::max)(distance, internal::distance_of_kind(internal::pairs_of_kind(pairs_a, kind),
+                                                               internal::pairs_of_kind(pairs_b, kind)));
   return distance;
 }
 

@@ -109,8 +109,7 @@ private:
   // The vertex farthest from the middle of all, which does not depend on their order. One without faces is on no way.
   Vertex find_start() const
   {
-    const auto points = get(vertex_point, mesh_);
-    const auto point = [&](Vertex v) { return get(points, v); };
+    const auto point = [points = get(vertex_point, mesh_)](Vertex v) { return get(points, v); };
     const auto all = vertices(mesh_);
     const auto middle = CGAL::centroid(boost::make_transform_iterator(all.first, point),
                                        boost::make_transform_iterator(all.second, point));
