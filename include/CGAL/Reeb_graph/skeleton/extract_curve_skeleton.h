@@ -175,14 +175,15 @@ void add_component(const Reading& reading,
 /// its radius, or are shorter than a share of their own. What is left has as many cycles as the surface, borders filled, has
 /// handles, less those that are hidden in multi-saddles, which are counted.
 ///
-/// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. Loops are led
-/// along the surface where they would be no basis of the loops inside, by linking numbers with curves on it. At last, lines are
+/// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. Where loops would be
+/// no basis of those inside, by linking numbers, lines make detours along tunnels, as `handle_and_tunnel_loops()` finds them, or
+/// along shorter loops that do as well. At last, lines are
 /// moved to where the sum of length by distance from the surface is least, with a price on bends. Junctions nearer to each other
 /// than the surface, with a line between them in the balls around them, are joined, and lines within a quarter of that from
 /// where they part. Tips of limbs that end bluntly go to the middle of their caps. Each step is taken only if the surface does
 /// not meet what it sweeps; edges that cross a component that intersects itself stay. So no vertex is
 /// outside, no edge crosses a component that does not intersect itself, and loops are a basis there. What remains on others, or
-/// where the numbers of the points end, or no lines that follow the surface are a basis, is counted.
+/// where the numbers of the points end, or no detours make a basis, is counted.
 /// Where a border passes a point twice, as at both sides of a slit, it is closed there, and what is left on one line is no end.
 /// The order of vertices does not matter if no two are at the same place, and neither does a unit that is a power of two.
 /// Each component is looked at without the others. In balls and flat parts, which have no axis, a line is one of many.
@@ -190,6 +191,7 @@ void add_component(const Reading& reading,
 /// It takes \f$ O(n \log n + s \sqrt{n}) \f$ time for \f$ n \f$ vertices and a skeleton of \f$ s \f$, on surfaces whose
 /// contours are short, as those of tubes. On noise, contours can be as long as the surface is large, but most branches are
 /// pruned by balls inside of the surface, without any contour.
+/// Where detours are needed, the time of `handle_and_tunnel_loops()` comes on top.
 ///
 /// The idea is that of \cgalCite{lv-lsdpo-99}.
 ///
