@@ -489,4 +489,39 @@ BOOST_AUTO_TEST_CASE(bars_with_a_handle_end_in_the_middle_of_their_caps)
       }
 }
 
+// A front passes around the wall of a long pipe before it passes along: loops through centers of contours go down and up again.
+BOOST_AUTO_TEST_CASE(loops_of_pipes_go_around_them)
+{
+  double sum = 0;
+  std::size_t number = 0;
+  for(const double inner : {0.5, 0.8, 0.9, 0.95})
+    for(const std::size_t around : {6u, 12u})
+      for(const std::size_t parts : {1u, 2u})
+        BOOST_TEST_CONTEXT("inner radius " << inner << ", " << around << " around, sides in parts: " << parts)
+        {
+          const std::array<Ring, 4> section = {Ring{0, 1}, {10, 1}, {10, inner}, {0, inner}};
+          const auto soup =
+            generated_surfaces::internal::grid(around, 4 * parts, true, true, [&](std::size_t i, std::size_t k) {
+              const Ring &from = section[k / parts], &to = section[(k / parts + 1) % 4];
+              const double t = static_cast<double>(k % parts) / static_cast<double>(parts);
+              const double turn = 2 * pi * static_cast<double>(i) / static_cast<double>(around);
+              const double radius = (1 - t) * from[1] + t * to[1];
+              return Point{radius * std::cos(turn), radius * std::sin(turn), (1 - t) * from[0] + t * to[0]};
+            });
+          const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
+          Curve_skeleton<Surface_mesh> skeleton;
+          const Skeleton_certificate certificate = extract_curve_skeleton(mesh, skeleton);
+          BOOST_TEST(certificate.number_of_loops == 1u);
+          BOOST_TEST(certificate.number_of_contractible_loops == 0u);
+          double length = 0;
+          for(const auto e : CGAL::make_range(edges(skeleton)))
+            length +=
+              std::sqrt(squared_distance(skeleton[source(e, skeleton)].point, skeleton[target(e, skeleton)].point));
+          sum += length / (pi * (1 + inner));
+          ++number;
+        }
+  BOOST_TEST(sum / static_cast<double>(number)
+             < 2.2); // 2.5 with ways along all chains, 4 with detours from lines as they are
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -140,40 +140,42 @@ private:
     std::vector<Polyline> contours;
     for(const Index chain : loops_.closing_chains())
       contours.push_back(contour(chain));
-    loop_group_ = Loop_group(linking_numbers(contours));
+    loop_group_ = Loop_group(loops_.linking_numbers(crossings(polylines(), contours)));
     if(loop_group_.is_whole())
       return;
     const Tunnel_loops tunnels(tree_, field, progress_.part(0.5, 0.7));
-    const Rows loops = linking_numbers(tunnels.handles());
-    loop_group_ = Loop_group(loops);
+    const Rows of_lines = crossings(polylines(), tunnels.handles());
+    loop_group_ = Loop_group(loops_.linking_numbers(of_lines));
     if(loop_group_.is_whole() || tunnels.tunnels().empty())
       return;
     const auto before = lines_.lines();
-    const std::vector<Detour> detours = find_detours(tunnels, loops);
+    const std::vector<Detour> detours = find_detours(tunnels, of_lines);
     for(std::size_t i = 0; i != detours.size(); ++i)
     {
       progress_.part(0.7, 1).report_step(i, detours.size());
       make(detours[i]);
     }
-    const Loop_group group(linking_numbers(tunnels.handles()));
+    const Loop_group group(loops_.linking_numbers(crossings(polylines(), tunnels.handles())));
     if(group < loop_group_)
       loop_group_ = group;
     else
       lines_.lines() = before;
   }
 
-  // A way from a place of a chain to the surface, along a loop there, and back.
+  // A way from a place of a chain to the surface, along a loop there, and back, or on to the end in place of the line.
   struct Detour
   {
     Index chain;
     std::size_t place;
     Face_path loop;
-    double length;
+    double length; // how much longer the line gets
+    bool is_whole = false;
   };
 
   // Chooses detours along tunnels, and shortens them. The last places of a chain come first, so that others stay where they are.
-  std::vector<Detour> find_detours(const Tunnel_loops& tunnels, Rows loops) const
+  std::vector<Detour> find_detours(const Tunnel_loops& tunnels, const Rows& of_lines) const
   {
+    Rows loops = loops_.linking_numbers(of_lines);
     std::vector<Tunnel_detour> offers = find_offers(tunnels);
     std::vector<Detour_choice::Cycles> cycles;
     for(Index chain = 0; chain != lines_.lines().size(); ++chain)
@@ -192,8 +194,17 @@ private:
         detours.push_back(nearest_detour(detour, tunnels));
     std::stable_sort(detours.begin(), detours.end(),
                      [](const Detour& a, const Detour& b) { return a.length > b.length; });
+    const std::vector<Polyline> ways = ways_of(detours);
+    Rows of_ways = crossings(ways, tunnels.handles());
     for(Detour& detour : detours)
+    {
       shorten(detour, tunnels, choice);
+      const Polyline& way = ways[detour.chain];
+      if(way.empty() || shares_chain(detour, detours))
+        continue;
+      add_multiple(of_ways[detour.chain], of_lines[detour.chain], -1);
+      replace_line(detour, way, of_ways[detour.chain], tunnels, choice);
+    }
     std::stable_sort(detours.begin(), detours.end(),
                      [](const Detour& a, const Detour& b) { return a.place > b.place; });
     return detours;
@@ -252,12 +263,7 @@ private:
     if(shares.empty())
       return;
     Row change;
-    std::int64_t share = 0;
-    for(const auto& [tunnel, number] : tunnels.tunnels_of(detour.loop))
-    {
-      share += static_cast<std::int64_t>(number) * shares[tunnel];
-      change[tunnel] = -number;
-    }
+    const std::int64_t share = -add_shares(tunnels.tunnels_of(detour.loop), -1, shares, change);
     bool is_shorter = false;
     const std::size_t number_of_places = lines_.lines()[detour.chain].size() + 1;
     for(std::size_t place = 0; place < number_of_places; place += number_of_places / 8 + 1)
@@ -279,16 +285,74 @@ private:
     choice.change(detour.chain, change);
   }
 
+  // Adds a multiple of a loop to a change, and returns that of the shares of its tunnels.
+  static std::int64_t add_shares(const Row& loop, int times, const std::vector<std::int64_t>& shares, Row& change)
+  {
+    std::int64_t sum = 0;
+    for(const auto& [tunnel, number] : loop)
+      sum += times * static_cast<std::int64_t>(number) * shares[tunnel];
+    add_multiple(change, loop, times);
+    return sum;
+  }
+
+  // Puts a way along the surface in place of a line with a detour, and a loop at its begin, where both together are shorter.
+  void replace_line(Detour& detour,
+                    const Polyline& way,
+                    const Row& of_way,
+                    const Tunnel_loops& tunnels,
+                    Detour_choice& choice) const
+  {
+    const std::vector<std::int64_t> shares = choice.shares_of(detour.chain);
+    if(shares.empty())
+      return;
+    Row change;
+    std::int64_t share = -add_shares(tunnels.tunnels_of(detour.loop), -1, shares, change);
+    share -= add_shares(of_way, 1, shares, change);
+    const Mesh::Face_index face = tree_.closest_place(way.front()).second;
+    const double saved = length_of(polyline(detour.chain)) + detour.length - length_of(way);
+    std::optional<Face_path> loop = Face_path{face, {}};
+    if(share != 0 && share != 2)
+      loop = tunnels.shorter_loop(face, saved, shares, {share, share - 2});
+    if(!(saved > 0) || !loop)
+      return;
+    add_shares(tunnels.tunnels_of(*loop), 1, shares, change);
+    detour = {detour.chain, 0, std::move(*loop), detour.length - saved, true};
+    choice.change(detour.chain, change);
+  }
+
+  // Whether its chain has another detour, too.
+  static bool shares_chain(const Detour& detour, const std::vector<Detour>& detours)
+  {
+    return std::count_if(detours.begin(), detours.end(), [&](const Detour& d) { return d.chain == detour.chain; }) > 1;
+  }
+
+  // Ways along the surface between the ends of the chains of detours.
+  std::vector<Polyline> ways_of(const std::vector<Detour>& detours) const
+  {
+    std::vector<Polyline> result(lines_.lines().size());
+    for(const Detour& detour : detours)
+    {
+      const Surface_place begin = place_of_end(detour.chain, false).surface_place();
+      result[detour.chain] = ways_.way_along(begin, place_of_end(detour.chain, true).surface_place(),
+                                             {tree_.closest_place(begin.point).second, {}});
+    }
+    return result;
+  }
+
   void make(const Detour& detour)
   {
     auto& line = lines_.lines()[detour.chain];
-    const Place place =
+    const Place begin =
       detour.place == 0 ? place_of_end(detour.chain, false) : Place{line[detour.place - 1], std::nullopt};
+    const Place end = detour.is_whole ? place_of_end(detour.chain, true) : begin;
     std::vector<Line_point> points;
-    add_way(ways_.way_along(place.surface_place(), place.surface_place(), detour.loop), place, place, points);
+    add_way(ways_.way_along(begin.surface_place(), end.surface_place(), detour.loop), begin, end, points);
     if(points.empty())
       return;
-    points.push_back(place.point);
+    if(detour.is_whole)
+      line.clear();
+    else
+      points.push_back(begin.point);
     line.insert(line.begin() + static_cast<std::ptrdiff_t>(detour.place), points.begin(), points.end());
   }
 
@@ -313,13 +377,25 @@ private:
     return sum;
   }
 
-  Rows linking_numbers(const std::vector<Polyline>& curves) const
+  Rows crossings(const std::vector<Polyline>& lines, const std::vector<Polyline>& curves) const
   {
-    std::vector<Polyline> polylines(lines_.lines().size());
-    for(Index line = 0; line != polylines.size(); ++line)
-      for(std::size_t i = 0; i != lines_.lines()[line].size() + 2; ++i)
-        polylines[line].push_back(lines_.place(line, i).point);
-    return loops_.linking_numbers(polylines, curves, progress_.part(0.5, 1));
+    return loops_.crossings(lines, curves, progress_.part(0.5, 1));
+  }
+
+  Polyline polyline(Index line) const
+  {
+    Polyline points;
+    for(std::size_t i = 0; i != lines_.lines()[line].size() + 2; ++i)
+      points.push_back(lines_.place(line, i).point);
+    return points;
+  }
+
+  std::vector<Polyline> polylines() const
+  {
+    std::vector<Polyline> result;
+    for(Index line = 0; line != lines_.lines().size(); ++line)
+      result.push_back(polyline(line));
+    return result;
   }
 
   void refine(Index chain)

@@ -50,10 +50,10 @@ public:
   bool is_on_cycle(Index chain) const { return !cycles_of_[chain].empty(); }
   const std::vector<Step>& cycles_of(Index chain) const { return cycles_of_[chain]; }
 
-  // A row for each cycle: the signed crossings of the lines of its chains over closed polygons, which they must not meet.
-  std::vector<Row> linking_numbers(const std::vector<Polyline>& lines,
-                                   const std::vector<Polyline>& curves,
-                                   const Stage_progress& progress) const
+  // A row for each chain: the signed crossings of its line, if any, over closed polygons, which it must not meet.
+  std::vector<Row> crossings(const std::vector<Polyline>& lines,
+                             const std::vector<Polyline>& curves,
+                             const Stage_progress& progress) const
   {
     Segments over, under;
     for(Index chain = 0; chain != lines.size(); ++chain)
@@ -77,10 +77,20 @@ public:
       });
       return result;
     });
-    std::vector<Row> rows(closing_.size());
+    std::vector<Row> rows(lines.size());
     for(const auto& [pair, number] : all)
-      for(const auto& [cycle, direction] : cycles_of_[pair[0]])
-        add_multiple(rows[cycle], {{pair[1], number}}, direction);
+      if(number != 0)
+        rows[pair[0]][pair[1]] = number;
+    return rows;
+  }
+
+  // The linking numbers of each cycle: the sums of what its chains add.
+  std::vector<Row> linking_numbers(const std::vector<Row>& of_chains) const
+  {
+    std::vector<Row> rows(closing_.size());
+    for(Index chain = 0; chain != of_chains.size(); ++chain)
+      for(const auto& [cycle, direction] : cycles_of_[chain])
+        add_multiple(rows[cycle], of_chains[chain], direction);
     return rows;
   }
 

@@ -44,8 +44,8 @@ public:
       tree_(tree),
       handles_of_(mesh_.num_edges())
   {
-    const auto found =
-      handle_and_tunnel_loops(mesh_, field, parameters::check_self_intersections(false).callback(progress.callback()));
+    const auto np = parameters::check_self_intersections(false).shorten_loops(false).callback(progress.callback());
+    const auto found = handle_and_tunnel_loops(mesh_, field, np);
     for(std::size_t i = 0; i != found.loops().size(); ++i)
     {
       const auto& loop = found.loops()[i];
