@@ -144,22 +144,31 @@ private:
     if(loop_group_.is_whole())
       return;
     const Tunnel_loops tunnels(tree_, field, progress_.part(0.5, 0.7));
-    const Rows of_lines = crossings(polylines(), tunnels.handles());
+    Rows of_lines = crossings(polylines(), tunnels.handles());
     loop_group_ = Loop_group(loops_.linking_numbers(of_lines));
-    if(loop_group_.is_whole() || tunnels.tunnels().empty())
-      return;
-    const auto before = lines_.lines();
-    const std::vector<Detour> detours = find_detours(tunnels, of_lines);
-    for(std::size_t i = 0; i != detours.size(); ++i)
+    // Rounding, or a surface that crosses itself, can let a detour fail: other chains may do then.
+    std::vector<bool> has_failed(lines_.lines().size(), false);
+    const int most_turns = tunnels.tunnels().empty() ? 0 : 8;
+    for(int turn = 0; turn != most_turns && !loop_group_.is_whole(); ++turn)
     {
-      progress_.part(0.7, 1).report_step(i, detours.size());
-      make(detours[i]);
+      const auto before = lines_.lines();
+      const auto failed_before = has_failed;
+      for(const Detour& detour : find_detours(tunnels, of_lines, has_failed))
+      {
+        progress_(0.7); // so that it can be cancelled
+        has_failed[detour.chain] = !make(detour);
+      }
+      const Rows rows = crossings(polylines(), tunnels.handles());
+      if(const Loop_group group(loops_.linking_numbers(rows)); group < loop_group_)
+      {
+        loop_group_ = group;
+        of_lines = rows;
+      }
+      else
+        lines_.lines() = before;
+      if(has_failed == failed_before)
+        return;
     }
-    const Loop_group group(loops_.linking_numbers(crossings(polylines(), tunnels.handles())));
-    if(group < loop_group_)
-      loop_group_ = group;
-    else
-      lines_.lines() = before;
   }
 
   // A way from a place of a chain to the surface, along a loop there, and back, or on to the end in place of the line.
@@ -173,10 +182,12 @@ private:
   };
 
   // Chooses detours along tunnels, and shortens them. The last places of a chain come first, so that others stay where they are.
-  std::vector<Detour> find_detours(const Tunnel_loops& tunnels, const Rows& of_lines) const
+  std::vector<Detour> find_detours(const Tunnel_loops& tunnels,
+                                   const Rows& of_lines,
+                                   const std::vector<bool>& has_failed) const
   {
     Rows loops = loops_.linking_numbers(of_lines);
-    std::vector<Tunnel_detour> offers = find_offers(tunnels);
+    std::vector<Tunnel_detour> offers = find_offers(tunnels, has_failed);
     std::vector<Detour_choice::Cycles> cycles;
     for(Index chain = 0; chain != lines_.lines().size(); ++chain)
       cycles.push_back(loops_.cycles_of(chain));
@@ -211,11 +222,11 @@ private:
   }
 
   // Detours along tunnels, the shortest one first.
-  std::vector<Tunnel_detour> find_offers(const Tunnel_loops& tunnels) const
+  std::vector<Tunnel_detour> find_offers(const Tunnel_loops& tunnels, const std::vector<bool>& has_failed) const
   {
     std::vector<std::pair<double, Tunnel_detour>> offers;
     for(const Index chain : loops_.chains_on_cycles())
-      for(std::size_t tunnel = 0; tunnel != tunnels.tunnels().size(); ++tunnel)
+      for(std::size_t tunnel = 0; tunnel != tunnels.tunnels().size() && !has_failed[chain]; ++tunnel)
       {
         progress_(0); // so that it can be cancelled
         offers.push_back({nearest_detour({chain, tunnel, 0}, tunnels).length, {chain, tunnel, 1}});
@@ -339,7 +350,8 @@ private:
     return result;
   }
 
-  void make(const Detour& detour)
+  // Returns whether there is such a way.
+  bool make(const Detour& detour)
   {
     auto& line = lines_.lines()[detour.chain];
     const Place begin =
@@ -348,12 +360,13 @@ private:
     std::vector<Line_point> points;
     add_way(ways_.way_along(begin.surface_place(), end.surface_place(), detour.loop), begin, end, points);
     if(points.empty())
-      return;
+      return false;
     if(detour.is_whole)
       line.clear();
     else
       points.push_back(begin.point);
     line.insert(line.begin() + static_cast<std::ptrdiff_t>(detour.place), points.begin(), points.end());
+    return true;
   }
 
   // A contour of the longest arc of a chain, in its middle.
