@@ -31,25 +31,33 @@ struct Tunnel_detour
   int times;
 };
 
-// Which chains make detours along tunnels, so that loops generate as much as can be. Loops are sums of tunnels, as many as they are.
+// Which chains make detours along tunnels, so that loops generate as much as can be. Loops are sums of tunnels, as many as they are,
+// or both are told by their crossings with curves: then loops get independent only.
 // Numbers are those modulo a prime number, by which few indices can be divided.
 class Detour_choice
 {
 public:
   typedef std::vector<std::pair<Index, int>> Cycles; // that pass a chain, with 1 or -1 for a direction
 
-  // By the tunnels of loops, the cycles of each chain, and the detours that may be chosen, the best first.
+  // By the tunnels or crossings of loops, the crossings of tunnels, if any, as many as columns, the cycles of each chain, and the
+  // detours that may be chosen, the best first.
   Detour_choice(std::vector<Row> loops,
+                std::vector<Row> tunnels,
                 std::vector<Cycles> cycles_of,
                 std::vector<Tunnel_detour> offers,
                 const Stage_progress& progress)
     : progress_(progress),
       cycles_of_(std::move(cycles_of)),
       offers_(std::move(offers)),
+      are_independent_(tunnels.empty()),
+      tunnels_(std::move(tunnels)),
       loops_(std::move(loops))
   {
+    for(std::size_t tunnel = 0; are_independent_ && tunnel != loops_.size(); ++tunnel)
+      tunnels_.push_back({{tunnel, 1}});
     raise_rank();
-    find_shares();
+    if(are_independent_)
+      find_shares();
     lower_index();
   }
 
@@ -105,7 +113,7 @@ private:
     progress_(0); // so that it can be cancelled
     detours_.push_back(detour);
     for(const auto& [cycle, direction] : cycles_of_[detour.chain])
-      add_multiple(loops_[cycle], {{detour.tunnel, detour.times}}, direction);
+      add_multiple(loops_[cycle], tunnels_[detour.tunnel], detour.times * direction);
   }
 
   // The sums of numbers by cycle, by chain.
@@ -125,14 +133,14 @@ private:
   // The matrix of loops, or that with its columns as rows, each with a row of the unit matrix behind it.
   std::vector<Numbers> rows(bool are_columns) const
   {
-    const std::size_t size = loops_.size();
-    std::vector<Numbers> result(size, Numbers(2 * size, 0));
-    for(std::size_t i = 0; i != size; ++i)
-    {
-      result[i][size + i] = 1;
+    const std::size_t height = are_columns ? tunnels_.size() : loops_.size(),
+                      width = loops_.size() + tunnels_.size() - height;
+    std::vector<Numbers> result(height, Numbers(width + height, 0));
+    for(std::size_t i = 0; i != height; ++i)
+      result[i][width + i] = 1;
+    for(std::size_t i = 0; i != loops_.size(); ++i)
       for(const auto& [k, number] : loops_[i])
         result[are_columns ? k : i][are_columns ? i : k] = modulo(number);
-    }
     return result;
   }
 
@@ -155,21 +163,37 @@ private:
   std::vector<Numbers> kernel(bool is_of_columns) const
   {
     std::vector<Numbers> result = rows(is_of_columns);
-    const std::size_t size = loops_.size();
-    for(std::size_t column = 0; column != size; ++column)
+    const std::size_t width = is_of_columns ? loops_.size() : tunnels_.size();
+    for(std::size_t column = 0; column != width; ++column)
       take_pivot(column, result);
     for(Numbers& row : result)
-      row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(size));
+      row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(width));
+    return result;
+  }
+
+  // The sums of numbers by column, by tunnel.
+  Numbers sums_by_tunnel(const Numbers& by_column) const
+  {
+    Numbers result;
+    for(const Row& tunnel : tunnels_)
+    {
+      Number sum = 0;
+      for(const auto& [column, number] : tunnel)
+        sum = (sum + modulo(number) * by_column[column]) % prime;
+      result.push_back(sum);
+    }
     return result;
   }
 
   // Chooses detours until loops are independent: one makes them so if a sum of loops that is 0 passes its chain, and a sum of
-  // columns that is 0 has its tunnel.
+  // columns that is 0 for all loops is not for its tunnel.
   void raise_rank()
   {
     std::vector<Numbers> sums = kernel(false), columns = kernel(true);
     for(Numbers& row : sums)
       row = sums_by_chain(row);
+    for(Numbers& row : columns)
+      row = sums_by_tunnel(row);
     const auto has = [](const std::vector<Numbers>& rows, std::size_t column) {
       return std::any_of(rows.begin(), rows.end(), [&](const Numbers& row) { return row[column] != 0; });
     };
@@ -235,7 +259,8 @@ private:
   const Stage_progress progress_;
   const std::vector<Cycles> cycles_of_; // by chain
   const std::vector<Tunnel_detour> offers_;
-  std::vector<Row> loops_; // the tunnels of each
+  const bool are_independent_;       // tunnels
+  std::vector<Row> tunnels_, loops_; // what each is made of
   std::vector<Tunnel_detour> detours_;
   std::vector<Numbers> shares_; // by tunnel and chain
 };

@@ -143,10 +143,19 @@ private:
     loop_group_ = Loop_group(loops_.linking_numbers(crossings(polylines(), contours)));
     if(loop_group_.is_whole())
       return;
-    const Tunnel_loops tunnels(tree_, field, progress_.part(0.5, 0.7));
+    Tunnel_loops tunnels(tree_, field, progress_.part(0.5, 0.7));
+    loop_group_ = Loop_group(loops_.linking_numbers(crossings(polylines(), tunnels.handles())));
+    make_detours(tunnels);
+    if(loop_group_.number_of_dependent == 0)
+      return;
+    tunnels.free(ways_);
+    make_detours(tunnels);
+  }
+
+  // Rounding, or a surface that crosses itself, can let a detour fail: other chains may do then.
+  void make_detours(const Tunnel_loops& tunnels)
+  {
     Rows of_lines = crossings(polylines(), tunnels.handles());
-    loop_group_ = Loop_group(loops_.linking_numbers(of_lines));
-    // Rounding, or a surface that crosses itself, can let a detour fail: other chains may do then.
     std::vector<bool> has_failed(lines_.lines().size(), false);
     const int most_turns = tunnels.tunnels().empty() ? 0 : 8;
     for(int turn = 0; turn != most_turns && !loop_group_.is_whole(); ++turn)
@@ -156,7 +165,7 @@ private:
       for(const Detour& detour : find_detours(tunnels, of_lines, has_failed))
       {
         progress_(0.7); // so that it can be cancelled
-        has_failed[detour.chain] = !make(detour);
+        has_failed[detour.chain] = !make(detour, !tunnels.are_free());
       }
       const Rows rows = crossings(polylines(), tunnels.handles());
       if(const Loop_group group(loops_.linking_numbers(rows)); group < loop_group_)
@@ -188,17 +197,18 @@ private:
   {
     Rows loops = loops_.linking_numbers(of_lines);
     std::vector<Tunnel_detour> offers = find_offers(tunnels, has_failed);
+    const Rows of_tunnels = tunnels.are_free() ? crossings(first_ways(offers, tunnels), tunnels.handles()) : Rows();
     std::vector<Detour_choice::Cycles> cycles;
     for(Index chain = 0; chain != lines_.lines().size(); ++chain)
       cycles.push_back(loops_.cycles_of(chain));
     // Handles that are hidden in vertices have no loops: they may have any tunnel, but the best ones.
-    for(; loops.size() < tunnels.tunnels().size(); loops.emplace_back())
+    for(; !tunnels.are_free() && loops.size() < tunnels.tunnels().size(); loops.emplace_back())
     {
       for(std::size_t tunnel = 0; tunnel != tunnels.tunnels().size(); ++tunnel)
         offers.push_back({cycles.size(), tunnel, 1});
       cycles.push_back({{static_cast<Index>(loops.size()), 1}});
     }
-    Detour_choice choice(loops, cycles, offers, progress_);
+    Detour_choice choice(loops, of_tunnels, cycles, offers, progress_);
     std::vector<Detour> detours;
     for(const Tunnel_detour& detour : choice.detours())
       if(detour.chain < lines_.lines().size())
@@ -219,6 +229,23 @@ private:
     std::stable_sort(detours.begin(), detours.end(),
                      [](const Detour& a, const Detour& b) { return a.place > b.place; });
     return detours;
+  }
+
+  // By column, a way from a line and back along each tunnel, as the first offer has it. It is empty if there is none.
+  std::vector<Polyline> first_ways(const std::vector<Tunnel_detour>& offers, const Tunnel_loops& tunnels) const
+  {
+    std::vector<Polyline> result(tunnels.handles().size());
+    std::vector<bool> is_found(result.size(), false);
+    for(const Tunnel_detour& offer : offers)
+    {
+      if(is_found[offer.tunnel])
+        continue;
+      is_found[offer.tunnel] = true;
+      const Detour detour = nearest_detour(offer, tunnels);
+      const Surface_place begin = begin_of(detour).surface_place();
+      result[offer.tunnel] = ways_.way_along(begin, begin, detour.loop, false);
+    }
+    return result;
   }
 
   // Detours along tunnels, the shortest one first.
@@ -345,20 +372,25 @@ private:
     {
       const Surface_place begin = place_of_end(detour.chain, false).surface_place();
       result[detour.chain] = ways_.way_along(begin, place_of_end(detour.chain, true).surface_place(),
-                                             {tree_.closest_place(begin.point).second, {}});
+                                             {tree_.closest_place(begin.point).second, {}}, true);
     }
     return result;
   }
 
+  Place begin_of(const Detour& detour) const
+  {
+    return detour.place == 0 ? place_of_end(detour.chain, false)
+                             : Place{lines_.lines()[detour.chain][detour.place - 1], std::nullopt};
+  }
+
   // Returns whether there is such a way.
-  bool make(const Detour& detour)
+  bool make(const Detour& detour, bool is_swept)
   {
     auto& line = lines_.lines()[detour.chain];
-    const Place begin =
-      detour.place == 0 ? place_of_end(detour.chain, false) : Place{line[detour.place - 1], std::nullopt};
+    const Place begin = begin_of(detour);
     const Place end = detour.is_whole ? place_of_end(detour.chain, true) : begin;
     std::vector<Line_point> points;
-    add_way(ways_.way_along(begin.surface_place(), end.surface_place(), detour.loop), begin, end, points);
+    add_way(ways_.way_along(begin.surface_place(), end.surface_place(), detour.loop, is_swept), begin, end, points);
     if(points.empty())
       return false;
     if(detour.is_whole)
@@ -403,11 +435,12 @@ private:
     return points;
   }
 
+  // The points of lines on cycles, none of others.
   std::vector<Polyline> polylines() const
   {
     std::vector<Polyline> result;
     for(Index line = 0; line != lines_.lines().size(); ++line)
-      result.push_back(polyline(line));
+      result.push_back(loops_.is_on_cycle(line) ? polyline(line) : Polyline());
     return result;
   }
 

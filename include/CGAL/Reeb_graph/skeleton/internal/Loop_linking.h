@@ -50,21 +50,20 @@ public:
   bool is_on_cycle(Index chain) const { return !cycles_of_[chain].empty(); }
   const std::vector<Step>& cycles_of(Index chain) const { return cycles_of_[chain]; }
 
-  // A row for each chain: the signed crossings of its line, if any, over closed polygons, which it must not meet.
+  // A row for each line, if it is not empty: its signed crossings over closed polygons, which it must not meet.
   std::vector<Row> crossings(const std::vector<Polyline>& lines,
                              const std::vector<Polyline>& curves,
                              const Stage_progress& progress) const
   {
     Segments over, under;
-    for(Index chain = 0; chain != lines.size(); ++chain)
-      if(is_on_cycle(chain))
-        over.add(lines[chain], chain);
+    for(Index line = 0; line != lines.size(); ++line)
+      over.add(lines[line], line);
     for(Index curve = 0; curve != curves.size(); ++curve)
     {
       under.add(curves[curve], curve);
       under.add({curves[curve].back(), curves[curve].front()}, curve);
     }
-    typedef std::map<std::array<Index, 2>, int> Crossings; // by chain and curve
+    typedef std::map<std::array<Index, 2>, int> Crossings; // by line and curve
     const auto all = in_general_direction<Crossings>([&](const std::array<double, 3>& direction) {
       Crossings result;
       std::size_t number = 0;

@@ -323,8 +323,8 @@ public:
       if(const double depth = depth_of(f, p, direction); f != own[0] && f != own[1] && depth > 0)
         reach = (std::min)(reach, depth);
     };
-    tree_.all_intersected_primitives(Kernel::Segment_3(p, p + reach * direction),
-                                     boost::make_function_output_iterator(std::cref(add)));
+    if(const Kernel::Segment_3 segment(p, p + reach * direction); !segment.is_degenerate()) // by rounding
+      tree_.all_intersected_primitives(segment, boost::make_function_output_iterator(std::cref(add)));
     return reach;
   }
 

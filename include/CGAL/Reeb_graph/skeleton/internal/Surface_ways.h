@@ -46,6 +46,43 @@ struct Face_path
       result.steps.push_back(mesh.opposite(*h));
     return result;
   }
+
+  // The path to a face in a tree, by the halfedges through which faces are reached, none for the first one.
+  template <class Through>
+  static Face_path in_tree(const Mesh& mesh, Mesh::Face_index to, const Through& through)
+  {
+    Face_path path = {to, {}};
+    for(auto h = through(to); h.is_valid(); h = through(path.begin))
+    {
+      path.steps.push_back(h);
+      path.begin = mesh.face(h);
+    }
+    std::reverse(path.steps.begin(), path.steps.end());
+    return path;
+  }
+
+  // The loop that a halfedge closes with a tree, from its first face.
+  template <class Through>
+  static Face_path closed_by(const Mesh& mesh, Mesh::Halfedge_index h, const Through& through)
+  {
+    Face_path loop = in_tree(mesh, mesh.face(h), through);
+    loop.steps.push_back(h);
+    const Face_path back = in_tree(mesh, mesh.face(mesh.opposite(h)), through).reversed(mesh);
+    loop.steps.insert(loop.steps.end(), back.steps.begin(), back.steps.end());
+    return loop;
+  }
+
+  // A loop without what it goes there and back.
+  Face_path without_tail(const Mesh& mesh) const
+  {
+    auto first = steps.begin(), beyond = steps.end();
+    while(first != beyond && *first == mesh.opposite(*(beyond - 1)))
+    {
+      ++first;
+      --beyond;
+    }
+    return {first == beyond ? begin : mesh.face(*first), {first, beyond}};
+  }
 };
 
 // Finds ways inside of a surface right beneath its faces, as close to them as need be.
@@ -81,9 +118,12 @@ public:
     return {};
   }
 
-  // A way from a place to another one along a path of faces, to which it can be brought without meeting the surface, and shorter as
-  // long as the surface does not meet the triangles that it then sweeps. It is empty if there is none.
-  std::vector<Point> way_along(const Surface_place& from, const Surface_place& to, const Face_path& path) const
+  // A way from a place to another one along a path of faces, to which it can be brought without meeting the surface, if that is
+  // asked, and shorter as long as the surface does not meet the triangles that it then sweeps. It is empty if there is none.
+  std::vector<Point> way_along(const Surface_place& from,
+                               const Surface_place& to,
+                               const Face_path& path,
+                               bool is_swept) const
   {
     if(!tree_.has_area())
       return {};
@@ -95,7 +135,21 @@ public:
       whole.steps.insert(whole.steps.end(), part->steps.begin(), part->steps.end());
     add_path(whole, whole.steps.size(), way);
     way.insert(way.end(), end.rbegin(), end.rend());
-    return raise_until_free(way, true) ? pulled(way) : std::vector<Point>();
+    return raise_until_free(way, is_swept) ? pulled(way) : std::vector<Point>();
+  }
+
+  // Whether a way can pass right beneath an edge from the center of a face to that of the next one.
+  bool can_pass(Mesh::Halfedge_index h) const
+  {
+    const Mesh::Face_index f = mesh_.face(h), g = mesh_.face(mesh_.opposite(h));
+    const Vector in_f = tree_.inward_normal(f), in_g = tree_.inward_normal(g);
+    const Point middle = CGAL::midpoint(mesh_.point(mesh_.source(h)), mesh_.point(mesh_.target(h)));
+    const auto beneath = [&](const Point& p, const Vector& inwards) {
+      return Surface_place{p + 1e-6 * distance(tree_.center(f), tree_.center(g)) * inwards};
+    };
+    const Surface_place at_edge = beneath(middle, in_f + in_g);
+    return in_f != NULL_VECTOR && in_g != NULL_VECTOR && !tree_.is_crossed(beneath(tree_.center(f), in_f), at_edge)
+        && !tree_.is_crossed(at_edge, beneath(tree_.center(g), in_g));
   }
 
 private:
@@ -345,11 +399,7 @@ private:
         queue.push({next + distance(tree_.center(g), tree_.center(to)), g});
       }
     }
-    Face_path path = {from, {}};
-    for(auto f = to; f != from; f = mesh_.face(path.steps.back()))
-      path.steps.push_back(reached.at(f.idx()).through);
-    std::reverse(path.steps.begin(), path.steps.end());
-    return path;
+    return Face_path::in_tree(mesh_, to, [&](Mesh::Face_index f) { return reached.at(f.idx()).through; });
   }
 
   const Surface_tree& tree_;

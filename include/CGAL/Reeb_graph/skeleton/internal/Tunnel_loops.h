@@ -35,7 +35,7 @@
 namespace CGAL::Reeb_graph::internal::skeleton {
 
 // The tunnels of a surface: a basis of the loops of its solid. How often another loop of faces has each of them is told by how
-// often it passes its handle. There are none where the surface tells no sides.
+// often it passes its handle. Where the surface tells no sides, all loops are handles, and there are no tunnels.
 class Tunnel_loops
 {
 public:
@@ -50,15 +50,36 @@ public:
     {
       const auto& loop = found.loops()[i];
       if(loop.kind == Loop_kind::LOOP)
-        handles_.push_back(polygon(loop.halfedges));
+        add_handle(loop.halfedges);
       else if(loop.kind == Loop_kind::HANDLE)
         add(loop.halfedges, found.loops()[loop.partner].halfedges, found.linking_number(loop.partner, i));
     }
   }
 
+  // Puts others in place of tunnels: loops beneath which a way can pass though the surface crosses itself. They pass handles
+  // independently, the shortest ones of those that an edge closes with a tree of shortest paths (J. Erickson and K. Whittlesey 2005).
+  void free(const Surface_ways& ways)
+  {
+    are_free_ = true;
+    tunnels_.clear();
+    std::vector<Mesh::Halfedge_index> through(mesh_.num_faces(), Mesh::null_halfedge());
+    Generated_group group;
+    for(const auto& [length, h] : closing_edges(ways, through))
+    {
+      if(tunnels_.size() == handles_.size())
+        return;
+      const auto loop = Face_path::closed_by(mesh_, h, [&](Mesh::Face_index f) { return through[f.idx()]; });
+      const std::size_t rank = group.basis().size();
+      group.add_all({tunnels_of(loop)}, 2147483647);
+      if(group.basis().size() != rank)
+        tunnels_.push_back(loop.without_tail(mesh_));
+    }
+  }
+
   const std::vector<Face_path>& tunnels() const { return tunnels_; } // Each ends where it begins.
-  // Each tunnel winds once around its handle, and around no other one. Where there are no sides, these are all loops.
+  // Each tunnel winds once around its handle, and around no other one, unless they are free.
   const std::vector<Polyline>& handles() const { return handles_; }
+  bool are_free() const { return are_free_; }
 
   double length_of(const Face_path& path) const
   {
@@ -122,18 +143,7 @@ public:
     }
     if(!closing)
       return std::nullopt;
-    const auto path_to = [&](Mesh::Face_index f) {
-      Face_path path = {from, {}};
-      for(; f != from; f = mesh_.face(path.steps.back()))
-        path.steps.push_back(reached.at(f.idx()).through);
-      std::reverse(path.steps.begin(), path.steps.end());
-      return path;
-    };
-    Face_path loop = path_to(mesh_.face(*closing));
-    loop.steps.push_back(*closing);
-    const Face_path back = path_to(across(*closing)).reversed(mesh_);
-    loop.steps.insert(loop.steps.end(), back.steps.begin(), back.steps.end());
-    return loop;
+    return Face_path::closed_by(mesh_, *closing, [&](Mesh::Face_index f) { return reached.at(f.idx()).through; });
   }
 
 private:
@@ -159,22 +169,62 @@ private:
   }
 
   template <class Halfedges>
+  void add_handle(const Halfedges& handle)
+  {
+    for(const auto h : handle)
+      handles_of_[mesh_.edge(h).idx()].emplace_back(handles_.size(), is_forward(h) ? 1 : -1);
+    handles_.push_back(polygon(handle));
+    signs_.push_back(1);
+  }
+
+  template <class Halfedges>
   void add(const Halfedges& handle, const Halfedges& tunnel, long long linking_number)
   {
-    const std::size_t number = tunnels_.size();
-    std::vector<Point> points = polygon(handle);
+    add_handle(handle);
     if(linking_number < 0)
-      std::reverse(points.begin(), points.end());
-    handles_.push_back(std::move(points));
-    for(const auto h : handle)
-      handles_of_[mesh_.edge(h).idx()].emplace_back(number, is_forward(h) ? 1 : -1);
+      std::reverse(handles_.back().begin(), handles_.back().end());
     Face_path path = {mesh_.face(tunnel.front()), {}};
     for(std::size_t i = 0; i != tunnel.size(); ++i)
       for(auto g = mesh_.next(tunnel[i]); g != tunnel[(i + 1) % tunnel.size()]; g = mesh_.next(mesh_.opposite(g)))
         path.steps.push_back(g);
     tunnels_.push_back(std::move(path));
-    signs_.push_back(1);
-    signs_.back() = static_cast<int>(tunnels_of(tunnels_.back())[number]);
+    signs_.back() = static_cast<int>(tunnels_of(tunnels_.back())[tunnels_.size() - 1]);
+  }
+
+  // The edges that close loops with trees, the shortest loop first.
+  std::vector<std::pair<double, Mesh::Halfedge_index>> closing_edges(const Surface_ways& ways,
+                                                                     std::vector<Mesh::Halfedge_index>& through) const
+  {
+    typedef std::pair<double, Mesh::Halfedge_index> Entry;
+    std::vector<Entry> closing;
+    std::vector<double> distances(mesh_.num_faces(), -1);
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    const auto reach = [&](Mesh::Face_index f, double so_far) {
+      distances[f.idx()] = so_far;
+      for(const auto h : CGAL::halfedges_around_face(mesh_.halfedge(f), mesh_))
+        queue.push({so_far + step(h), h});
+    };
+    for(const auto root : mesh_.faces())
+    {
+      if(distances[root.idx()] < 0)
+        reach(root, 0);
+      while(!queue.empty())
+      {
+        const auto [so_far, h] = queue.top();
+        const auto g = across(h);
+        queue.pop();
+        if(distances[g.idx()] < 0 && ways.can_pass(h))
+        {
+          through[g.idx()] = h;
+          reach(g, so_far);
+        }
+        else if(distances[g.idx()] >= 0 && is_forward(h) && through[mesh_.face(h).idx()] != mesh_.opposite(h)
+                && through[g.idx()] != h && ways.can_pass(h))
+          closing.push_back({so_far + distances[g.idx()], h});
+      }
+    }
+    std::sort(closing.begin(), closing.end());
+    return closing;
   }
 
   // Calls visit(tunnel, sign) for those whose handles a step passes.
@@ -188,9 +238,10 @@ private:
   const Mesh& mesh_;
   const Surface_tree& tree_;
   std::vector<std::vector<std::pair<std::size_t, int>>> handles_of_; // by edge
-  std::vector<int> signs_;                                           // by tunnel: of what passes its handle as it does
+  std::vector<int> signs_;                                           // by handle: of what passes it as its tunnel does
   std::vector<Face_path> tunnels_;
   std::vector<Polyline> handles_;
+  bool are_free_ = false;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton
