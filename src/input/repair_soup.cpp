@@ -28,27 +28,37 @@
 namespace reeb_graph_program {
 std::vector<Polygon_side> sides_of(const Polygons& polygons)
 {
-  std::vector<Polygon_side> sides;
-  sides.reserve(polygons.number_of_corners());
-  std::size_t first = 0;
-  for(std::size_t i = 0; i < polygons.size(); ++i)
-  {
-    const Polygons::Polygon polygon = polygons[i];
-    const auto size = static_cast<std::size_t>(polygon.end() - polygon.begin());
-    for(std::size_t j = 0; j < size; ++j)
+  // Each vertex has a range of those sides of which it is the lesser end: what is left to sort is little.
+  std::vector<std::size_t> begins;
+  const auto for_each_side = [&](const auto& visit) {
+    std::size_t first = 0;
+    for(std::size_t i = 0; i < polygons.size(); ++i)
     {
-      const std::size_t next = (j + 1) % size;
-      const Corner a = polygon.begin()[j], b = polygon.begin()[next];
-      if(a < b)
-        sides.push_back({a, b, first + j, first + next, i, false});
-      else
-        sides.push_back({b, a, first + next, first + j, i, true});
+      const Polygons::Polygon polygon = polygons[i];
+      const auto size = static_cast<std::size_t>(polygon.end() - polygon.begin());
+      for(std::size_t j = 0; j < size; ++j)
+      {
+        const std::size_t next = (j + 1) % size;
+        const Corner a = polygon.begin()[j], b = polygon.begin()[next];
+        visit(a < b ? Polygon_side{a, b, first + j, first + next, i, false}
+                    : Polygon_side{b, a, first + next, first + j, i, true});
+      }
+      first += size;
     }
-    first += size;
-  }
-  std::sort(sides.begin(), sides.end(), [](const Polygon_side& a, const Polygon_side& b) {
-    return std::tie(a.u, a.v, a.face) < std::tie(b.u, b.v, b.face);
+  };
+  for_each_side([&](const Polygon_side& side) {
+    begins.resize(std::max<std::size_t>(begins.size(), side.u + 2), 0);
+    ++begins[side.u + 1];
   });
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::vector<Polygon_side> sides(polygons.number_of_corners());
+  std::vector<std::size_t> ends = begins;
+  for_each_side([&](const Polygon_side& side) { sides[ends[side.u]++] = side; });
+  for(std::size_t u = 0; u + 1 < begins.size(); ++u)
+    std::sort(
+      sides.begin() + static_cast<std::ptrdiff_t>(begins[u]),
+      sides.begin() + static_cast<std::ptrdiff_t>(begins[u + 1]),
+      [](const Polygon_side& a, const Polygon_side& b) { return std::tie(a.v, a.face) < std::tie(b.v, b.face); });
   return sides;
 }
 

@@ -28,6 +28,7 @@
 #include <functional>
 #include <optional>
 #include <queue>
+#include <random>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -191,10 +192,13 @@ private:
     signs_.back() = static_cast<int>(tunnels_of(tunnels_.back())[tunnels_.size() - 1]);
   }
 
-  // The edges that close loops with trees, the shortest loop first.
+  // The edges that close loops with trees that pass handles, the shortest loop first: sums of random numbers of handles tell.
   std::vector<std::pair<double, Mesh::Halfedge_index>> closing_edges(const Surface_ways& ways,
                                                                      std::vector<Mesh::Halfedge_index>& through) const
   {
+    std::mt19937_64 random;
+    std::vector<std::uint64_t> codes(handles_.size()), sums(mesh_.num_faces(), 0);
+    std::generate(codes.begin(), codes.end(), std::ref(random));
     typedef std::pair<double, Mesh::Halfedge_index> Entry;
     std::vector<Entry> closing;
     std::vector<double> distances(mesh_.num_faces(), -1);
@@ -213,13 +217,15 @@ private:
         const auto [so_far, h] = queue.top();
         const auto g = across(h);
         queue.pop();
+        std::uint64_t sum = sums[mesh_.face(h).idx()];
+        for_each_passed(h, [&](std::size_t handle, int sign) { sum += sign > 0 ? codes[handle] : -codes[handle]; });
         if(distances[g.idx()] < 0 && ways.can_pass(h))
         {
           through[g.idx()] = h;
+          sums[g.idx()] = sum;
           reach(g, so_far);
         }
-        else if(distances[g.idx()] >= 0 && is_forward(h) && through[mesh_.face(h).idx()] != mesh_.opposite(h)
-                && through[g.idx()] != h && ways.can_pass(h))
+        else if(distances[g.idx()] >= 0 && is_forward(h) && sums[g.idx()] != sum && ways.can_pass(h))
           closing.push_back({so_far + distances[g.idx()], h});
       }
     }
