@@ -388,6 +388,59 @@ BOOST_AUTO_TEST_CASE(tips_of_bent_tubes_are_in_the_middle)
   }
 }
 
+// What closes a limb may be cut or round at its rim, or have few corners, and what it ends may bend: its line goes on straight to it.
+BOOST_AUTO_TEST_CASE(tips_are_where_limbs_go_on_straight)
+{
+  for(std::size_t seed = 0; seed != 80; ++seed)
+  {
+    random_meshes::Random random(seed);
+    const double cut = in(0.05, 0.25, random), length = in(6, 15, random), of_circle = in(3, 8, random);
+    const std::size_t around = 6 + random.below(20), along = 10 + random.below(30);
+    std::vector<Ring> rings = {{0, 1 - cut}};
+    add_rings({cut, 1}, {length - cut, 1}, along, rings);
+    rings.push_back({length, 1 - cut});
+    const auto shape = [&]() -> Triangle_soup {
+      switch(seed % 4)
+      {
+      case 0: return turned(rings, around, 0, length);
+      case 1: return closed_tube(1, length, 3, along, 0);
+      case 2:
+      {
+        Triangle_soup bar = closed_tube(std::sqrt(2.), length, 4, along, 0);
+        for(Point& p : bar.points)
+          p = {p[0] - p[1], 1.5 * (p[0] + p[1]), p[2]};
+        return bar;
+      }
+      default:
+        Triangle_soup bent = capsule(1, length, 4 * (around / 4 + 1), along);
+        for(Point& p : bent.points)
+        {
+          const double place = std::clamp(p[2], 0., length), turn = place / of_circle, beyond = p[2] - place;
+          p = {(of_circle + p[0]) * std::cos(turn) - beyond * std::sin(turn), p[1],
+               (of_circle + p[0]) * std::sin(turn) + beyond * std::cos(turn)};
+        }
+        return bent;
+      }
+    };
+    Triangle_soup soup = shape(), ends;
+    const std::size_t number = soup.points.size(); // The last ones are in the middle of what closes limbs.
+    ends.points = {soup.points[number - 2], soup.points[number - 1]};
+    auto same = random;
+    ends = moved(ends, same, 1);
+    const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(moved(soup, random, 1));
+    const Skeleton skeleton = check_steps(mesh, 0.5);
+    for(const auto v : CGAL::make_range(vertices(skeleton)))
+      if(out_degree(v, skeleton) == 1)
+      {
+        double nearest = 1e9;
+        for(const auto& [x, y, z] : ends.points)
+          nearest =
+            (std::min)(nearest, std::sqrt(CGAL::squared_distance(Surface_mesh::Point(x, y, z), skeleton[v].point)));
+        BOOST_TEST(nearest < (seed % 4 == 3 ? 0.75 : 0.2), "seed " << seed << ": " << nearest);
+      }
+  }
+}
+
 // Vertices on what is flat or round are no ends, however many there are.
 BOOST_AUTO_TEST_CASE(faces_cut_at_random_make_no_ends)
 {

@@ -151,7 +151,16 @@ def pipe_with_branch(fine, degrees):
 def thin_branch_on_thick_trunk(fine):
     function = union(rod((-5, 0, 0), (5, 0, 0), 3), rod((0, 0, 0), (0, 0, 8), 0.8))
     mesh = implicit(function, (-9, -4, -4), (9, 4, 10), 0.7 / fine)
-    return mesh, dict(limbs=3, ends=3, junctions=1, thickest=about(3, by=0.1))
+    return mesh, dict(limbs=3, ends=3, junctions=1, thickest=about(2.9, by=0.1))  # round ends are thinner
+@plain("V40", "V60", "N", "triangle")
+def bars(fine, name):
+    """Round bars that meet at acute angles: their corners are no ends."""
+    angle = np.radians(float(name[1:])) if name[0] == "V" else 0
+    corners = {"V": [(8 * cos(angle), 0, 8 * sin(angle)), (0, 0, 0), (8, 0, 0)], "N": [(0, 0, 0), (0, 0, 8), (5, 0, 0), (5, 0, 8)],
+               "t": [(-4, 0, 0), (4, 0, 0), (0, 0, 7), (-4, 0, 0)]}[name[0]]
+    function = union(*(rod(p, q, 0.8) for p, q in zip(corners, corners[1:])))
+    is_closed = name == "triangle"
+    return implicit(function, (-6, -2, -2), (10, 2, 10), 0.4 / fine), dict(genus=int(is_closed), ends=0 if is_closed else 2)
 @plain()
 def letter_y(fine):
     tips = [(0, 0, -4), (3.2, 0, 3.2), (-3.2, 0, 3.2)]

@@ -24,8 +24,8 @@
 namespace CGAL::Reeb_graph::internal::skeleton {
 
 // The cap that closes a limb: the faces around the one that is seen along the limb, which turn from it by less than 60 degrees.
-// A limb ends bluntly if the cap is flatter than half of its radius, and nearly all of it turns by less than 30 degrees,
-// so that its rim is narrow.
+// A limb ends bluntly if the cap is flatter than half of its radius, and about half of it turns by less than 30 degrees, more than
+// of half a ball.
 class Blunt_end
 {
 public:
@@ -37,11 +37,15 @@ public:
     const auto seen = tree.first_seen(from, along);
     if(!seen)
       return;
+    seen_ = place_in(seen->second, seen->first);
     const double farthest = 4 * (radius + distance(from, seen->first));
-    if(const auto axis = mean_normal(seen->second, along, seen->first, farthest))
-      if(mean_normal(seen->second, *axis, seen->first, farthest) && is_flat(*axis) && has_tip(*axis, tip))
-        find_middle();
+    find_middle(seen->second, along, seen->first, farthest, tip);
+    if(!middle_) // A line can come from a corner.
+      find_middle(seen->second, -tree.inward_normal(seen->second), seen->first, farthest, tip);
   }
+
+  // Where the limb, straight on, meets the surface.
+  const std::optional<Surface_place>& seen() const { return seen_; }
 
   // The middle of the cap, if the limb ends bluntly.
   const std::optional<Surface_place>& middle() const { return middle_; }
@@ -49,6 +53,15 @@ public:
   double radius() const { return std::sqrt(area_ / pi); }
 
 private:
+  void find_middle(Mesh::Face_index seen, const Vector& along, const Point& p, double farthest, const Point& tip)
+  {
+    const auto axis = mean_normal(seen, along, p, farthest);
+    if(!axis || !mean_normal(seen, *axis, p, farthest) || !is_flat(*axis) || !has_tip(*axis, tip))
+      return;
+    const auto [closest, face] = tree_.closest_place(centroid_);
+    middle_ = place_in(face, closest);
+  }
+
   // Finds the cap, whose faces look about the way of a direction, and the way that it looks on average. None if it is far larger than
   // the limb.
   std::optional<Vector> mean_normal(Mesh::Face_index seen, const Vector& axis, const Point& p, double farthest)
@@ -104,14 +117,13 @@ private:
     return std::abs((tip - centroid_) * axis) < radius() / 2 && distance(tip, centroid_) < 2 * radius();
   }
 
-  void find_middle()
+  Surface_place place_in(Mesh::Face_index f, const Point& p) const
   {
-    const auto [closest, face] = tree_.closest_place(centroid_);
-    middle_ = {closest + share_to_center * (tree_.center(face) - closest), std::nullopt, face};
+    return {p + share_to_center * (tree_.center(f) - p), std::nullopt, f};
   }
 
   static constexpr double cosine_of_60 = 0.5, cosine_of_30 = 0.8660254037844386;
-  static constexpr double least_flat_share = 0.8;
+  static constexpr double least_flat_share = 0.45;
   static constexpr double share_to_center = 0.01; // so that the point is on no edge
 
   const Surface_tree& tree_;
@@ -119,7 +131,7 @@ private:
   std::vector<Mesh::Face_index> faces_;
   double area_ = 0, flat_area_ = 0;
   Point centroid_ = ORIGIN;
-  std::optional<Surface_place> middle_;
+  std::optional<Surface_place> seen_, middle_;
 };
 
 } // namespace CGAL::Reeb_graph::internal::skeleton

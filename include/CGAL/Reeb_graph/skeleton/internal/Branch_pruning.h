@@ -14,6 +14,7 @@
 #include <CGAL/Reeb_graph/internal/base/Index.h>
 #include <CGAL/Reeb_graph/internal/base/Progress.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Edge_walk.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Plane_contour.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Sampled_graph.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Surface_tree.h>
 
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -170,7 +172,7 @@ private:
     // The trunk's contour at a hand or foot is that of all fingers or toes: each is compared with its own one.
     const double length = graph_.sample_beside(branch.arcs.back(), branch.end).shape.length;
     const double own = std::clamp(length / (2 * pi), radius / 4, radius);
-    if(protrusion < ratio_ / 2 * radius || is_across_tube(branch, tip, length))
+    if(protrusion < ratio_ / 2 * radius || is_across_tube(branch, tip, length) || is_corner(branch, tip, trunk, radius))
       return true;
     if(protrusion < 5 * ratio_ * radius && is_around_tube(branch.persistence, length, radius, samples))
       return !is_limb(tip, ratio_ * own, 2 * protrusion, 1.45);
@@ -226,8 +228,84 @@ private:
     return contour_length > (std::max)(0.85 * sum, 3 * pi * radius) && persistence < (1 + ratio_ / pi) * least / 2;
   }
 
-  // A contour on the way from a node along an arc, and on through nodes with two arcs, about a distance away.
-  Contour_sample sample_farther(Index arc, Index node, double distance) const
+  struct Limb_section
+  {
+    Point center;
+    Vector along; // of length 1, to where the limb ends
+    double width; // from the center
+  };
+
+  // Whether a tip is the corner of a bend: if two limbs of the trunk went straight on, at an angle, it would hardly stand out from
+  // each of them, but is across both from where they meet.
+  bool is_corner(const Branch& branch, Index tip, const std::vector<Index>& trunk, double radius) const
+  {
+    const double cosine_of_30 = 0.866;
+    const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
+    std::vector<Vector> directions;
+    for(const Index arc : trunk)
+      if(const auto limb = thinnest_section(arc, branch.end, radius, top))
+        if(length(cross_product(top - limb->center, limb->along)) < (1 + 0.4 * ratio_) * limb->width
+           && distance(top, bottom) > 1.1 * limb->width)
+          directions.push_back(limb->along);
+    for(const Vector& u : directions)
+      for(const Vector& v : directions)
+        if(u * v < cosine_of_30)
+          return true;
+    return false;
+  }
+
+  // A section of the limb of an arc where it is thinnest near a node, on the way to a tip.
+  std::optional<Limb_section> thinnest_section(Index arc, Index node, double radius, const Point& tip) const
+  {
+    std::optional<Limb_section> result;
+    for(const double share : {0.15, 0.3, 0.5, 0.7})
+    {
+      const Contour_sample sample = sample_farther(arc, node, 6 * share * radius, share),
+                           farther = sample_farther(arc, node, 8 * share * radius, share + 0.2);
+      const Vector to_tip = tip - sample.shape.centroid;
+      for(const Vector& start : {sample.shape.centroid - farther.shape.centroid, sample.shape.area})
+      {
+        const auto section = section_across(sample, start * to_tip > 0 ? start : -start);
+        if(section && !(result && section->width > 0.95 * result->width))
+          result = section;
+      }
+    }
+    return result;
+  }
+
+  // A section across a limb that is as thick a radius behind, at a contour of the field. That leans: one that is across has its
+  // center in front of the one of another one behind.
+  std::optional<Limb_section> section_across(const Contour_sample& sample, Vector along) const
+  {
+    Point center = sample.shape.centroid;
+    for(int turn = 0; along != NULL_VECTOR; ++turn)
+    {
+      along = along / length(along);
+      const Plane_contour here(tree_, center, along, sample.on_surface);
+      if(!here.radius())
+        return std::nullopt;
+      center = here.centroid();
+      const double radius = *here.radius();
+      const auto behind = [&](double share) {
+        return Plane_contour(tree_, center - share * radius * along, along, sample.on_surface);
+      };
+      if(turn == 4)
+      {
+        const auto thickness = behind(1).radius();
+        if(!thickness || std::abs(*thickness - radius) > 0.5 * radius || !here.is_across_tube()
+           || distance(center, sample.shape.centroid) > here.extent())
+          return std::nullopt;
+        return Limb_section{center, along, here.extent()};
+      }
+      const Plane_contour other = behind(0.25);
+      along = other.radius() ? center - other.centroid() : Vector(NULL_VECTOR);
+    }
+    return std::nullopt;
+  }
+
+  // A contour on the way from a node along an arc, and on through nodes with two arcs, about a distance away, before a share of
+  // the last arc.
+  Contour_sample sample_farther(Index arc, Index node, double distance, double most = 0.5) const
   {
     double passed = 0;
     while(true)
@@ -237,7 +315,7 @@ private:
       const Index next = graph_.other_end(arc, node);
       if(passed + size >= distance || degrees_[next] != 2)
       {
-        const double t = size > 0 ? (std::min)((distance - passed) / size, 0.5) : 0.5;
+        const double t = size > 0 ? (std::min)((distance - passed) / size, most) : most;
         return graph_.sample(arc, is_upwards ? t : 1 - t);
       }
       passed += size;

@@ -111,8 +111,8 @@ private:
         }
   }
 
-  // Moves the tip of a limb that ends bluntly to the middle of its cap, straight on from where the limb is as wide as that. The cap
-  // is seen along the line from at most two radii away: of several, as the line bends, it is the smallest one.
+  // Moves the tip of a limb that ends bluntly to the middle of its cap, and another one to where the limb goes on straight, if that
+  // is farther.
   void move_tip(Numbers& beads, bool is_last)
   {
     if(beads.size() < 3 || beads_[is_last ? beads.back() : beads.front()].depth > 0)
@@ -122,37 +122,81 @@ private:
       std::reverse(line.begin(), line.end());
     Bead tip = beads_[line.front()];
     std::size_t farthest = 1;
-    while(farthest + 2 < line.size()
-          && !(distance(beads_[line[farthest]].point.point, tip.point.point) > 2 * beads_[line[farthest]].depth))
-      ++farthest;
-    std::optional<Blunt_end> end;
-    for(std::size_t i = farthest; i != 0; --i)
+    for(; farthest + 2 < line.size(); ++farthest) // In a corner, lines are near to all of its sides.
     {
-      const Bead& from = beads_[line[i]];
-      const Vector along = from.point.point - beads_[line[i + 1]].point.point;
-      if(!(length(along) > 0))
-        continue;
-      const Blunt_end seen(tree_, from.point.point, along / length(along), from.depth, tip.point.point);
-      if(seen.middle() && !(end && end->radius() <= seen.radius()))
-        end.emplace(seen);
+      const double way = distance(beads_[line[farthest]].point.point, tip.point.point),
+                   depth = beads_[line[farthest]].depth;
+      if(way > 2 * depth && (way > 4 * depth || beads_[line[farthest + 1]].depth < 1.05 * depth))
+        break;
     }
+    const auto end = find_end(line, farthest, tip.point.point);
     if(!end)
       return;
-    tip.point.point = end->middle()->point;
-    tip.vertex = end->middle()->vertex;
-    tip.face = end->middle()->face;
+    tip.point.point = end->place.point;
+    tip.vertex = end->place.vertex;
+    tip.face = end->place.face;
     std::size_t first = farthest;
-    while(first > 1 && distance(beads_[line[first - 1]].point.point, tip.point.point) > end->radius())
+    while(first > 1 && distance(beads_[line[first - 1]].point.point, tip.point.point) > end->radius)
       --first;
     while(first <= farthest && !is_free(beads_[line[first]], tip))
       ++first;
     if(first > farthest)
       return;
     beads_[line.front()] = tip;
+    for(std::size_t i = first + 1;
+        i + 1 < line.size() && distance(beads_[line[i]].point.point, tip.point.point) < 4 * end->radius; ++i)
+      if(can_go_straight(line, i))
+        first = i;
     line.erase(line.begin() + 1, line.begin() + static_cast<std::ptrdiff_t>(first));
     if(is_last)
       std::reverse(line.begin(), line.end());
     beads = line;
+  }
+
+  // Whether a line can go straight from a tip to one of its beads, and is hardly nearer to the surface then.
+  bool can_go_straight(const Numbers& line, std::size_t to) const
+  {
+    for(std::size_t i = 1; i != to; ++i)
+    {
+      Line_point on_chord = beads_[line[i]].point;
+      on_chord.point = foot(line, 0, to, i);
+      if(make_bead(on_chord).depth < 0.95 * beads_[line[i]].depth)
+        return false;
+    }
+    return is_free(line, 0, to);
+  }
+
+  struct End_of_limb
+  {
+    Surface_place place;
+    double radius;
+  };
+
+  // The middle of the smallest cap that is seen along a line from its beads up to one, as it bends, or else what is farthest beyond
+  // the tip.
+  std::optional<End_of_limb> find_end(const Numbers& line, std::size_t farthest, const Point& tip) const
+  {
+    std::optional<End_of_limb> blunt, farther;
+    double most = 0.01;
+    for(std::size_t i = farthest; i != 0; --i)
+    {
+      const Bead& from = beads_[line[i]];
+      const Vector along = from.point.point - beads_[line[i + 1]].point.point;
+      const Vector to_tip = tip - from.point.point;
+      if(!(length(along) > 0) || to_tip * along < 0.7 * length(to_tip) * length(along)) // The tip is around a corner.
+        continue;
+      const Blunt_end seen(tree_, from.point.point, along / length(along), from.depth, tip);
+      if(seen.middle() && !(blunt && blunt->radius <= seen.radius()))
+        blunt = End_of_limb{*seen.middle(), seen.radius()};
+      if(!seen.seen() || distance(seen.seen()->point, tip) > 2 * from.depth)
+        continue;
+      if(const double share = (seen.seen()->point - tip) * along / (length(along) * from.depth); share > most)
+      {
+        most = share;
+        farther = End_of_limb{*seen.seen(), from.depth};
+      }
+    }
+    return blunt ? blunt : farther;
   }
 
   // Puts points nearer to the straight line between their neighbors where that is hardly nearer to the surface: there is room in

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Reeb_graph::internal::skeleton {
 
@@ -45,6 +46,10 @@ public:
 
   // The radius of a circle with that area, if the contour stays near the point.
   const std::optional<double>& radius() const { return radius_; }
+
+  // The centroid of what it goes around, and how far it is from there at most, if it stays near the point.
+  const Point& centroid() const { return centroid_; }
+  double extent() const { return extent_; }
 
   // Whether it is that of a tube around the point: not cut lengthwise, as where a limb leaves a trunk.
   bool is_across_tube() const { return radius_ && *radius_ < 1.5 * distance_; }
@@ -78,7 +83,8 @@ private:
   void follow(Mesh::Halfedge_index start, double near)
   {
     double area = 0;
-    Vector last = crossing(start);
+    Vector last = crossing(start), moment = NULL_VECTOR;
+    std::vector<Vector> all;
     auto h = start;
     do
     {
@@ -86,13 +92,20 @@ private:
       const Vector next = crossing(h), edge = next - last;
       if(!(length(next) < farthest * near))
         return;
-      area += cross_product(last, next) * along_ / 2;
+      const double part = cross_product(last, next) * along_ / 2;
+      area += part;
+      moment = moment + part / 3 * (last + next);
+      all.push_back(next);
       const double square = edge.squared_length();
       const double t = square > 0 ? std::clamp(-(last * edge) / square, 0., 1.) : 0;
       distance_ = (std::min)(distance_, length(last + t * edge));
       last = next;
     } while(h != start);
     radius_ = std::sqrt(std::abs(area) / pi);
+    const Vector centroid = area != 0 ? moment / area : NULL_VECTOR;
+    centroid_ = point_ + centroid;
+    for(const Vector& p : all)
+      extent_ = (std::max)(extent_, length(p - centroid));
   }
 
   static constexpr double farthest = 8; // times as far as what is seen first
@@ -101,6 +114,8 @@ private:
   const Point point_;
   const Vector along_;
   std::optional<double> radius_;
+  Point centroid_ = ORIGIN;
+  double extent_ = 0;
   double distance_ = std::numeric_limits<double>::infinity();
 };
 
