@@ -361,7 +361,7 @@ void add_skeleton_places(CLI::App& command, Skeleton_command_options& options)
   add_whole_number(command, "--swc-type", options.swc.type,
                    "The type of SWC's points but for the soma, from 2 on: 2 axon, 3 dendrite (the default), 4 apical "
                    "dendrite; programs refuse 0",
-                   {Swc_options::least_type});
+                   {Swc_options::least_type, Swc_options::largest_type});
 }
 
 void add_skeleton_command(CLI::App& app, Skeleton_command_options& options)

@@ -39,6 +39,10 @@ std::vector<std::filesystem::path> check_options(const Skeleton_command_options&
     (are_paths_wanted(options) ? check_path_format : check_skeleton_format)(path);
     outputs.emplace_back(path);
   }
+  const auto is_swc = [](const std::filesystem::path& path) { return path.extension() == ".swc"; };
+  if((options.swc.are_radii_inscribed || options.swc.type != Swc_options().type)
+     && std::none_of(outputs.begin(), outputs.end(), is_swc))
+    throw std::runtime_error("--radius and --swc-type go with a file .swc only");
   check_page(options.page_path, options.up);
   if(!options.mesh_path.empty())
     check_format_with_numbers(options.mesh_path);

@@ -16,6 +16,7 @@
 #include <CGAL/Reeb_graph/skeleton/skeleton_trees.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -57,7 +58,7 @@ struct Skeleton_settings
 // What can be chosen of SWC: its radii, and the type of what is no soma. Programs refuse the type 0, and 1 is that of a soma.
 struct Swc_options
 {
-  static constexpr std::size_t least_type = 2;
+  static constexpr std::size_t least_type = 2, largest_type = (std::numeric_limits<std::int32_t>::max)();
 
   bool are_radii_inscribed = false;
   std::size_t type = 3;

@@ -144,9 +144,10 @@ for mesh, (options, other_type) in itertools.product(MESHES, settings):
                  if not line.startswith("#"))
     if somata != (1 if "thickest" in options else 0):
         faults.append(f"{mesh} {' '.join(options)}: {somata} somata")
-for wrong in ("0", "1", "-1", "x"):
-    if subprocess.run([program, "skeleton", "ball.off", "--swc-type", wrong], capture_output=True).returncode == 0:
-        faults.append(f"--swc-type {wrong} is taken")
+wrong_types = [["--swc-type", wrong, "--output", "ball.swc"] for wrong in ("0", "1", "-1", "x", "2147483648")]
+for wrong in [*wrong_types, ["--radius", "inscribed"], ["--swc-type", "4", "--output", "ball.csv"]]:
+    if subprocess.run([program, "skeleton", "ball.off", *wrong], capture_output=True).returncode == 0:
+        faults.append(f"{' '.join(wrong)} is taken")
 if subprocess.run([program, "skeleton", "ball.off", "--from", "nan,0,0", "--output", "ball.vtp"], capture_output=True).returncode == 0:
     faults.append("no number is taken as a coordinate")
 print("\n".join(faults[:50]) or "all rules are kept")
