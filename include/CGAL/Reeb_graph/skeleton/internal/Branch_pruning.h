@@ -33,7 +33,8 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 // Takes branches off a graph, the least persistent ones first: paths from a leaf to the node where they leave the trunk,
 // or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of its radius there, or
 // of a quarter of that of the trunk, if it protrudes from the trunk by less than a share of its radius, or if it leads
-// across or around a tube, or to the corner of a bend. A limb as long as wide stays where it protrudes by half of that share, and so does one to a border.
+// across or around a tube, or to the corner of a bend. A limb as long as wide stays where it protrudes by half of that share, and
+// so does one to a border.
 class Branch_pruning
 {
 public:
