@@ -243,8 +243,8 @@ private:
     const double cosine_of_30 = 0.866;
     const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
     std::vector<Vector> directions;
-    for(const Index arc : trunk)
-      if(const auto limb = thinnest_section(arc, branch.end, radius, top))
+    for(std::size_t i = 0; i != trunk.size() && directions.size() + trunk.size() - i > 1; ++i)
+      if(const auto limb = thinnest_section(trunk[i], branch.end, radius, top))
         if(length(cross_product(top - limb->center, limb->along)) < (1 + 0.4 * ratio_) * limb->width
            && distance(top, bottom) > 1.1 * limb->width)
           directions.push_back(limb->along);
@@ -278,6 +278,7 @@ private:
   // center in front of the one of another one behind.
   std::optional<Limb_section> section_across(const Contour_sample& sample, Vector along) const
   {
+    const double cosine_of_1 = 0.99985;
     Point center = sample.shape.centroid;
     for(int turn = 0; along != NULL_VECTOR; ++turn)
     {
@@ -290,7 +291,9 @@ private:
       const auto behind = [&](double share) {
         return Plane_contour(tree_, center - share * radius * along, along, sample.on_surface);
       };
-      if(turn == 4)
+      const Plane_contour other = behind(0.25);
+      const Vector next = other.radius() ? center - other.centroid() : Vector(NULL_VECTOR);
+      if(turn == 4 || next * along > cosine_of_1 * length(next))
       {
         const auto thickness = behind(1).radius();
         if(!thickness || std::abs(*thickness - radius) > 0.5 * radius || !here.is_across_tube()
@@ -298,8 +301,7 @@ private:
           return std::nullopt;
         return Limb_section{center, along, here.extent()};
       }
-      const Plane_contour other = behind(0.25);
-      along = other.radius() ? center - other.centroid() : Vector(NULL_VECTOR);
+      along = next;
     }
     return std::nullopt;
   }

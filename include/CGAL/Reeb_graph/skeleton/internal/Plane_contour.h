@@ -33,7 +33,7 @@ public:
       along_(along)
   {
     const Vector across = Vector(closest - p) - (closest - p) * along * along;
-    const Vector first = length(across) > 0 ? across / length(across) : any_across(),
+    const Vector first = length(across) > 0 ? across : Vector(length(closest - p) * any_across()),
                  other = cross_product(along, first);
     for(const double turn : {0.1, 1.3, 2.9, 4.3})
       if(const auto seen = tree.first_seen(p, std::cos(turn) * first + std::sin(turn) * other))

@@ -272,7 +272,8 @@ public:
     return CGAL::centroid(a, b, c);
   }
 
-  // The place where a ray from inside meets the surface first, and the face there; none at an edge.
+  // The place where a ray from inside meets the surface first, and the face there; none at an edge. It is looked for near, as
+  // far as four times the length that is given, before a ray meets the boxes of all that is behind.
   std::optional<std::pair<Point, Mesh::Face_index>> first_seen(const Point& origin, const Vector& ray) const
   {
     const double size = length(ray);
@@ -281,8 +282,11 @@ public:
     const Vector direction = ray / size;
     std::vector<std::pair<double, Mesh::Face_index>> met;
     const auto add = [&](Mesh::Face_index f) { met.push_back({depth_of(f, origin, direction), f}); };
-    tree_.all_intersected_primitives(Kernel::Ray_3(origin, direction),
-                                     boost::make_function_output_iterator(std::cref(add)));
+    const auto found = boost::make_function_output_iterator(std::cref(add));
+    if(const Kernel::Segment_3 near(origin, origin + 4 * ray); !near.is_degenerate()) // by rounding
+      tree_.all_intersected_primitives(near, found);
+    if(met.empty())
+      tree_.all_intersected_primitives(Kernel::Ray_3(origin, direction), found);
     std::sort(met.begin(), met.end());
     if(met.empty() || !std::isfinite(met.back().first) || !(met.front().first > 0)
        || (met.size() > 1 && !(met[1].first - met[0].first > 1e-9 * size)))
