@@ -11,6 +11,7 @@
 #include "handle_samples.h"
 #include "linking_oracle.h"
 #include "shortest_loop_oracle.h"
+#include "shuffle.h"
 #include "voxel_solids.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -324,6 +325,73 @@ BOOST_AUTO_TEST_CASE(short_loops_of_a_torus)
   BOOST_TEST(found.loops()[1].length > 0.999 * tunnel);
 }
 
+// The searches for loops wind around thin rings, and around the holes of thick ones, and stop. With a face missing, the loops need
+// cross each other only. None is short if both cross themselves at first: 1 of 40.
+BOOST_AUTO_TEST_CASE(short_loops_of_thin_and_of_thick_rings)
+{
+  const double pi = generated_surfaces::internal::pi;
+  std::size_t number_of_long_ones = 0;
+  for(std::size_t seed = 0; seed != 40; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      random_meshes::Random random(seed);
+      const bool is_thin = seed % 2 == 0, is_closed = seed % 4 < 2;
+      const std::size_t around = is_thin ? 4 + random.below(8) : 40 + random.below(40),
+                        along = is_thin ? 40 + random.below(200) : 6 + random.below(10);
+      const double thin = 1. / static_cast<double>(5 + random.below(75)), radius = is_thin ? thin : 1 - thin;
+      auto soup =
+        generated_surfaces::internal::grid(around, along, true, true, [&](std::size_t column, std::size_t row) {
+          const double t = 2 * pi * row / along, u = 2 * pi * column / around, far = 1 + radius * std::cos(u);
+          return handle_samples::Vector{far * std::cos(t), far * std::sin(t), radius * std::sin(u)};
+        });
+      generated_surfaces::shuffle(soup, random);
+      if(!is_closed)
+        soup.triangles.pop_back();
+      std::vector<double> lengths,
+        expected = {2 * around * radius * std::sin(pi / around), 2 * along * (1 - radius) * std::sin(pi / along)};
+      const auto mesh = make_mesh<Surface_mesh>(soup);
+      const auto found = find_loops(mesh, seed);
+      for(const auto& loop : found.loops())
+        if(loop.kind != Loop_kind::HOLE)
+          lengths.push_back(loop.length);
+      std::sort(lengths.begin(), lengths.end());
+      std::sort(expected.begin(), expected.end());
+      BOOST_REQUIRE(lengths.size() == 2u);
+      if(!(lengths[0] < 1.08 * expected[0] && lengths[1] < 1.08 * expected[1] + expected[0]))
+        ++number_of_long_ones;
+    }
+  BOOST_TEST(number_of_long_ones <= 1u);
+}
+
+// There are more bars than holes.
+BOOST_AUTO_TEST_CASE(plates_have_a_short_tunnel_for_each_hole)
+{
+  std::size_t number = 0, number_of_long_ones = 0;
+  for(const auto& [rows, columns] : {std::pair(1, 2), std::pair(1, 5), std::pair(2, 3), std::pair(4, 4)})
+    for(std::size_t seed = 0; seed != 10; ++seed)
+    {
+      const int height = 2 * rows + 1, width = 2 * columns + 1;
+      auto soup = Voxel_solid::of_cells(width, [&](const Voxel_solid::Cell& cell) {
+                    return cell[1] < height && cell[2] == 0 && (cell[0] % 2 == 0 || cell[1] % 2 == 0);
+                  }).surface();
+      random_meshes::Random random(seed);
+      generated_surfaces::shuffle(soup, random);
+      for(auto& point : soup.points)
+        for(double& coordinate : point)
+          coordinate += 0.00001 * static_cast<double>(random.below(1000));
+      const auto mesh = make_mesh<Surface_mesh>(soup);
+      const auto found = find_loops(mesh, seed);
+      for(const auto& loop : found.loops())
+        if(loop.kind == Loop_kind::TUNNEL)
+        {
+          ++number;
+          number_of_long_ones += loop.length < 4.2 ? 0 : 1;
+        }
+    }
+  BOOST_TEST(number == 290u);
+  BOOST_TEST(20 * number_of_long_ones < number);
+}
+
 // Solids of cubes have loops that bound; random points make all kinds of lengths.
 generated_surfaces::Triangle_soup small_surface(std::size_t seed)
 {
@@ -464,7 +532,8 @@ BOOST_AUTO_TEST_CASE(without_inside_loops_are_not_much_longer)
   const auto length = [&] {
     double sum = 0;
     const auto mesh = make_mesh<Surface_mesh>(soup);
-    for(const auto& loop : find_loops(mesh, 4).loops())
+    const auto found = find_loops(mesh, 4);
+    for(const auto& loop : found.loops())
       sum += loop.length;
     return sum;
   };

@@ -447,7 +447,7 @@ public:
   virtual long long linking_number(const Halfedge_walk& a, const Halfedge_walk& b) const = 0;
 };
 
-// The one for a surface. It is a template so that the library can have it, and defined in Loop_choice.h.
+// The one for a surface. It is a template so that the library can have it, and defined in Found_loops.h.
 template <class Surface>
 std::unique_ptr<Loop_finder> make_loop_finder(Surface surface, const Stage_progress& progress);
 

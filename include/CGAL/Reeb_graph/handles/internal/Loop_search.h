@@ -42,7 +42,8 @@ public:
   explicit Crossing_bounds(const Closed_surface& surface)
     : surface_(surface),
       distances_(surface.points.size(), infinity),
-      positions_(surface.points.size(), no_index)
+      positions_(surface.points.size(), no_index),
+      last_steps_(surface.points.size(), no_index)
   {}
 
   // For each vertex of a walk, by the halfedge that leaves it, the least length of the parts that come back there;
@@ -58,12 +59,19 @@ public:
       position = static_cast<Index>(k);
     }
     least_.assign(walk.size(), is_simple ? infinity : 0);
+    shortest_part_.clear();
     if(is_simple)
+    {
       search_from(walk, bound);
+      trace_shortest_part(walk);
+    }
     for(const Index h : walk)
       positions_[surface_.source(h)] = no_index;
     return least_;
   }
+
+  // The shortest of these parts, of all that come back to the walk; empty if there is none.
+  const Halfedge_walk& shortest_part() const { return shortest_part_; }
 
 private:
   typedef std::pair<double, Index> Queued;
@@ -78,6 +86,7 @@ private:
         from_right_.insert(surface_.opposite(h));
     bound_ = bound;
     number_to_reach_ = walk.size();
+    last_steps_of_parts_.assign(walk.size(), no_index);
     for(std::size_t k = 0; k != walk.size(); ++k)
       for(Index h = surface_.turned(walk[k]); h != back(k); h = surface_.turned(h))
         follow(h, 0);
@@ -111,6 +120,7 @@ private:
       {
         number_to_reach_ -= least_[position] == infinity ? 1 : 0;
         least_[position] = distance;
+        last_steps_of_parts_[position] = h;
       }
     }
     else if(distance < distances_[w] && distance < bound_)
@@ -118,14 +128,30 @@ private:
       if(distances_[w] == infinity)
         reached_.push_back(w);
       distances_[w] = distance;
+      last_steps_[w] = h;
       queue_.emplace(distance, w);
     }
+  }
+
+  void trace_shortest_part(const Halfedge_walk& walk)
+  {
+    const auto least = std::min_element(least_.begin(), least_.end()) - least_.begin();
+    if(walk.empty() || least_[least] == infinity)
+      return;
+    Index h = last_steps_of_parts_[least];
+    for(; positions_[surface_.source(h)] == no_index; h = last_steps_[surface_.source(h)])
+      shortest_part_.push_back(h);
+    shortest_part_.push_back(h);
+    std::reverse(shortest_part_.begin(), shortest_part_.end());
   }
 
   const Closed_surface& surface_;
   std::vector<double> distances_; // infinity between two searches
   std::vector<Index> positions_;  // of the vertices of the walk in it; no_index for others, and between two searches
+  std::vector<Index> last_steps_; // to vertices that have been reached
   std::vector<Index> reached_;
+  std::vector<Index> last_steps_of_parts_; // by position in the walk
+  Halfedge_walk shortest_part_;
   std::unordered_set<Index> from_right_; // halfedges that lead to the walk
   std::vector<double> least_;
   std::size_t number_to_reach_ = 0; // of vertices of the walk

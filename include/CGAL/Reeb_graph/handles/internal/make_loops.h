@@ -20,7 +20,7 @@
 
 // Programs that link the library need not read how loops are found.
 #ifndef CGAL_REEB_GRAPH_ARE_LOOPS_COMPILED
-#include <CGAL/Reeb_graph/handles/internal/Loop_choice.h>
+#include <CGAL/Reeb_graph/handles/internal/Found_loops.h>
 #include <CGAL/Reeb_graph/internal/graph/graph_loops.h>
 #endif
 
