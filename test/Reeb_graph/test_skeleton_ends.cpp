@@ -11,6 +11,9 @@
 #include "generated_surfaces.h"
 #include "limbed_bodies.h"
 #include "mesh_builders.h"
+#include "random_meshes.h"
+#include "tube_samples.h"
+#include "voxel_solids.h"
 
 #include <CGAL/Reeb_graph/fields/geodesic_field.h>
 #include <CGAL/Reeb_graph/skeleton/extract_curve_skeleton.h>
@@ -21,6 +24,8 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 // Ends of skeletons are those that a person counts.
@@ -92,6 +97,20 @@ void check_bodies(const std::function<Body(std::size_t)>& make,
   BOOST_TEST(100 * missing <= ends);
   BOOST_TEST(number_false <= most_false);
 }
+// Turns points by random angles around two axes.
+void turn(std::vector<Point>& points, random_meshes::Random& random)
+{
+  for(const std::size_t axis : {0, 2})
+  {
+    const double angle = 2 * std::acos(-1.) * static_cast<double>(random.below(1000)) / 1000;
+    for(Point& p : points)
+    {
+      double &x = p[(axis + 1) % 3], &y = p[(axis + 2) % 3];
+      std::tie(x, y) =
+        std::make_pair(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y);
+    }
+  }
+}
 } // namespace
 
 // Each tip on the rim of a lid has edges as long as a limb would be.
@@ -110,6 +129,32 @@ BOOST_AUTO_TEST_CASE(lids_around_a_corner_have_no_limbs)
   }
   auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
   BOOST_TEST(found_ends(mesh, std::nullopt).size() == 2);
+}
+
+// Those of crosses and of T, whose bars are two cubes wide, turned any way: sections near the middle can be those of the arm itself.
+BOOST_AUTO_TEST_CASE(arms_of_crosses_are_there)
+{
+  const int width = 2, arm = 4, size = 2 * arm + width;
+  for(std::size_t seed = 0; seed != 120; ++seed)
+  {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    random_meshes::Random random(seed);
+    const int lower_arm = seed % 2 == 0 ? arm : 0;
+    const auto is_in_middle = [&](int k) { return arm <= k && k < arm + width; };
+    auto soup =
+      Voxel_solid::of_cells(size, [&](const Voxel_solid::Cell& cell) {
+        return cell[2] < width && ((is_in_middle(cell[0]) && cell[1] >= arm - lower_arm) || is_in_middle(cell[1]));
+      }).surface();
+    for(std::size_t i = 0; i + 1 < soup.triangles.size(); i += 2)
+      if(auto& a = soup.triangles[i], &b = soup.triangles[i + 1]; random.below(2) == 0)
+      {
+        a[2] = b[2]; // the other diagonal
+        b[0] = a[1];
+      }
+    turn(soup.points, random);
+    auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
+    BOOST_TEST(found_ends(mesh, std::nullopt).size() == (lower_arm > 0 ? 4 : 3));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(quadrupeds_have_their_ends) { check_bodies(limbed_bodies::quadruped, 20, 0); }

@@ -129,11 +129,12 @@ def ring_with_edges(fine, n):
     bend, r, angles = 5, 1, 2 * pi * np.arange(24 * fine) / (24 * fine)
     line = bend * np.stack([cos(angles), sin(angles), 0 * angles], axis=1)
     return tube(line, r, n, closed=True), dict(genus=1, ends=0, length=about(2 * pi * bend, 0.1))
-@plain("L", "T", "O", "P", "8")
+@plain("L", "T", "O", "P", "8", "plus", "H")
 def letter(fine, name):
     """A letter of square bars, whose corners are no ends."""
     rows, ends, genus = {"L": ("o.. o.. o.. ooo", 2, 0), "T": ("ooooo ..o.. ..o.. ..o..", 3, 0), "O": ("ooo o.o o.o ooo", 0, 1),
-                         "P": ("ooo o.o ooo o.. o..", 1, 1), "8": ("ooo o.o ooo o.o ooo", 0, 2)}[name]
+                         "P": ("ooo o.o ooo o.. o..", 1, 1), "8": ("ooo o.o ooo o.o ooo", 0, 2),
+                         "plus": ("...o... ...o... ...o... ooooooo ...o... ...o... ...o...", 4, 0), "H": ("o..o o..o oooo o..o o..o", 4, 0)}[name]
     solid = np.array([[[cell == "o"] for cell in row] for row in rows.split()])
     return blocks(solid, fine), dict(genus=genus, ends=ends, volume=float(solid.sum()))
 @plain()
@@ -176,6 +177,12 @@ def star(fine):
     length = about(sum(np.linalg.norm(tips, axis=1)) + 5 * 0.6, 0.1)
     return implicit(function, (-5, -5, -5), (5, 5, 5), 0.5 / fine), dict(limbs=5, ends=5, length=length)
 @plain()
+def foot(fine):
+    """Toes on a flat sole, which is the end of none of them."""
+    toes = [(1.9 * cos(angle), 1.9 * sin(angle), 0.2) for angle in (-0.8, 0, 0.8)]
+    solid = union(rod((0, 0, 0.5), (0, 0, 7), 1.2), *(rod((0, 0, 0.2), toe, 0.4) for toe in toes))
+    return implicit(lambda p: np.maximum(solid(p), -p[..., 2]), (-3, -4, -1), (5, 4, 9), 0.3 / fine), dict(ends=4)
+@plain()
 def hubs(fine):
     """Two places that four arms join."""
     middles = [(5, 5, 0), (5, 0, 5), (5, -5, 0), (5, 0, -5)]
@@ -186,6 +193,20 @@ def ring_with_two_branches(fine):
     function = union(ring((0, 0, 0), 3, 0.7), rod((3, 0, 0), (6, 0, 0), 0.7), rod((-3, 0, 0), (-4, 0, 3), 0.7))
     truths = dict(genus=1, ends=2, junctions=2, length=about(2 * pi * 3 + 3.7 + sqrt(10) + 0.7, 0.1))
     return implicit(function, (-6, -5, -2), (8, 5, 5), 0.5 / fine), truths
+@plain("half_0.8", "half_0.5", "whole_0.5")
+def ring_with_spoke(fine, name):
+    """Half a spoke ends in the middle of the ring; opposite a spoke, the wall is no end."""
+    part, radius = name.split("_")
+    is_half, r = part == "half", float(radius)
+    function = union(ring((0, 0, 0), 4, r), rod((-4, 0, 0), (0 if is_half else 4, 0, 0), r))
+    length = about(2 * pi * 4 + (4 + r if is_half else 8), 0.1)
+    return implicit(function, (-6, -6, -2), (6, 6, 2), 0.6 * r / fine), dict(genus=1 if is_half else 2, ends=1 if is_half else 0,
+                                                                          length=length)
+@plain(0.2, 0.3)
+def mug(fine, radius):
+    """A bar with a handle, whose line is there once; both ends of the bar stay."""
+    function = union(rod((0, -3, 0), (0, 3, 0), 1), ring((1.2, 0, 0), 1.2, radius))
+    return implicit(function, (-2, -5, -2), (4, 5, 2), radius / fine), dict(genus=1, ends=2)
 @plain("1x1", "2x3")
 def plate_with_holes(fine, holes):
     a, b = map(int, holes.split("x"))

@@ -213,7 +213,7 @@ void add_component(const Reading& reading,
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{pruning_ratio}
 ///     \cgalParamDescription{A branch goes if its persistence is below this share of its own radius where it leaves the
-///                           trunk, or of a quarter of that of the trunk. It also goes if its tip is not farther outside of
+///                           trunk, or of three quarters of that of the trunk. It also goes if its tip is not farther outside of
 ///                           the ball inscribed there than this share of the radius of the trunk, or, if what is near the tip is
 ///                           about as long as wide, than half of that. Such limbs stay, and corners of what is bent go.
 ///                           Branches to borders stay.

@@ -29,8 +29,14 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 class Blunt_end
 {
 public:
-  // The view is from a point inside, in a direction of length 1, where the limb has about such a radius.
-  Blunt_end(const Surface_tree& tree, const Point& from, const Vector& along, double radius, const Point& tip)
+  // The view is from a point inside, in a direction of length 1, where the limb has about such a radius. What has other tips, as
+  // the sole of a foot has those of toes, is the end of no limb.
+  Blunt_end(const Surface_tree& tree,
+            const Point& from,
+            const Vector& along,
+            double radius,
+            const Point& tip,
+            const std::vector<Point>& other_tips)
     : tree_(tree),
       mesh_(tree.mesh())
   {
@@ -39,9 +45,9 @@ public:
       return;
     seen_ = place_in(seen->second, seen->first);
     const double farthest = 4 * (radius + distance(from, seen->first));
-    find_middle(seen->second, along, seen->first, farthest, tip);
+    find_middle(seen->second, along, seen->first, farthest, tip, other_tips);
     if(!middle_) // A line can come from a corner.
-      find_middle(seen->second, -tree.inward_normal(seen->second), seen->first, farthest, tip);
+      find_middle(seen->second, -tree.inward_normal(seen->second), seen->first, farthest, tip, other_tips);
   }
 
   // Where the limb, straight on, meets the surface.
@@ -53,10 +59,16 @@ public:
   double radius() const { return std::sqrt(area_ / pi); }
 
 private:
-  void find_middle(Mesh::Face_index seen, const Vector& along, const Point& p, double farthest, const Point& tip)
+  void find_middle(Mesh::Face_index seen,
+                   const Vector& along,
+                   const Point& p,
+                   double farthest,
+                   const Point& tip,
+                   const std::vector<Point>& other_tips)
   {
     const auto axis = mean_normal(seen, along, p, farthest);
-    if(!axis || !mean_normal(seen, *axis, p, farthest) || !is_flat(*axis) || !has_tip(*axis, tip))
+    if(!axis || !mean_normal(seen, *axis, p, farthest) || !is_flat(*axis) || !has_tip(*axis, tip)
+       || std::any_of(other_tips.begin(), other_tips.end(), [&](const Point& other) { return has_tip(*axis, other); }))
       return;
     const auto [closest, face] = tree_.closest_place(centroid_);
     middle_ = place_in(face, closest);

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -32,7 +33,7 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 
 // Takes branches off a graph, the least persistent ones first: paths from a leaf to the node where they leave the trunk,
 // or, if the rest is a loop, where they leave that. A branch goes if its persistence is below a share of its radius there, or
-// of a quarter of that of the trunk, if it protrudes from the trunk by less than a share of its radius, or if it leads
+// of three quarters of that of the trunk, if it protrudes from the trunk by less than a share of its radius, or if it leads
 // across or around a tube, or to the corner of a bend. A limb as long as wide stays where it protrudes by half of that share, and
 // so does one to a border.
 class Branch_pruning
@@ -92,6 +93,13 @@ private:
   };
   typedef std::pair<double, Index> Entry; // of a tip
 
+  // A distance from a node along an arc.
+  struct Way
+  {
+    Index arc, node;
+    double distance;
+  };
+
   // Goes on with the branch of a tip through nodes with two arcs, and queues it if it ends at one with more.
   void grow(Index tip)
   {
@@ -146,14 +154,8 @@ private:
     if(is_beside_large_ball(branch, tip))
       return true;
     const Point& top = graph_.point(tip);
-    double radius = 0, protrusion = std::numeric_limits<double>::infinity();
-    std::vector<Contour_sample> samples, farther;
-    const auto compare = [&](const Point& center, const Point& hint) {
-      const double inscribed = tree_.distance_from_wall(center, hint);
-      radius = (std::max)(radius, inscribed); // Fronts about to meet have a contour that folds around the tube.
-      protrusion = (std::min)(protrusion, distance(top, center) - inscribed);
-    };
     std::vector<Index> trunk;
+    double radius = 0;
     for(const Index arc : graph_.arcs_of(branch.end))
       if(is_alive_[arc] && arc != branch.arcs.back())
       {
@@ -161,25 +163,25 @@ private:
         radius = (std::max)(radius, graph_.sample_beside(arc, branch.end).shape.radius());
       }
     const double step = radius / 2; // Where the branch leaves the trunk, contours of this lean towards the tip.
+    std::vector<double> lengths;
+    std::vector<Way> ways;
     for(const Index arc : trunk)
     {
-      samples.push_back(sample_farther(arc, branch.end, step));
-      farther.push_back(sample_farther(arc, branch.end, 3 * step));
-      compare(samples.back().shape.centroid, samples.back().on_surface);
+      lengths.push_back(sample_farther(arc, branch.end, step).shape.length);
+      add_ways({arc, branch.end, step}, branch.end, 4, ways);
     }
-    for(std::size_t i = 1; i < samples.size(); ++i)
-      for(const Point& middle : middles(samples[i - 1], farther[i - 1], samples[i], farther[i]))
-        compare(middle, samples[i].on_surface);
+    const double protrusion = compare(top, branch.end, ways, step, radius);
     // The trunk's contour at a hand or foot is that of all fingers or toes: each is compared with its own one.
     const double length = graph_.sample_beside(branch.arcs.back(), branch.end).shape.length;
     const double own = std::clamp(length / (2 * pi), radius / 4, radius);
-    if(protrusion < ratio_ / 2 * radius || is_across_tube(branch, tip, length) || is_corner(branch, tip, trunk, radius))
+    if(protrusion < ratio_ / 2 * radius || is_across_tube(branch, tip, length)
+       || is_corner(branch, tip, trunk, radius, own))
       return true;
-    if(protrusion < 5 * ratio_ * radius && is_around_tube(branch.persistence, length, radius, samples))
+    if(protrusion < 5 * ratio_ * radius && is_around_tube(branch.persistence, length, radius, lengths))
       return !is_limb(tip, ratio_ * own, 2 * protrusion, 1.45);
     // Values that are no distances from a tip have extrema anywhere.
-    return (!are_values_distances_ || protrusion < ratio_ * radius || branch.persistence <= ratio_ * own
-            || is_bump(tip, branch.persistence))
+    return (!are_values_distances_ || protrusion < ratio_ * radius
+            || branch.persistence <= ratio_ * (std::max)(own, 0.75 * radius) || is_bump(tip, branch.persistence))
         && !is_limb(tip, ratio_ * own, 2 * protrusion);
   }
 
@@ -204,6 +206,46 @@ private:
             || !is_limb(tip, ratio_ / 2 * ball.radius, 2 * protrusion(ball)));
   }
 
+  // How far a tip protrudes from the balls in the middle of contours on ways from a node, and between two of them, of which the
+  // largest at the node gives the radius: fronts about to meet have contours that fold around the tube. Where contours are shared,
+  // more are looked for farther away.
+  double compare(const Point& tip, Index node, std::vector<Way> ways, double step, double& radius) const
+  {
+    double protrusion = std::numeric_limits<double>::infinity(), largest = radius;
+    const auto add = [&](const Point& center, const Point& hint, bool is_at_node) {
+      const double inscribed = tree_.distance_from_wall(center, hint);
+      largest = (std::max)(largest, is_at_node ? inscribed : 0);
+      protrusion = (std::min)(protrusion, distance(tip, center) - inscribed);
+    };
+    bool is_any_shared = true;
+    for(int turn = 0; turn != 3 && is_any_shared; ++turn)
+    {
+      is_any_shared = false;
+      std::vector<Contour_sample> samples, farther;
+      for(Way& way : ways)
+      {
+        samples.push_back(sample_farther(way.arc, way.node, way.distance));
+        farther.push_back(sample_farther(way.arc, way.node, way.distance + 2 * step));
+        if(turn == 0)
+          add(samples.back().shape.centroid, samples.back().on_surface, way.node == node);
+        if(is_shared(samples.back()))
+        {
+          way.distance *= 2;
+          is_any_shared = true;
+        }
+      }
+      for(std::size_t i = 1; i < samples.size(); ++i)
+        for(std::size_t j = 0; j != i; ++j)
+          if((std::max)(samples[i].shape.radius(), samples[j].shape.radius())
+             > radius / 3) // Two fingers hide none between them.
+            for(const Point& middle : middles(samples[j], farther[j], samples[i], farther[i]))
+              if(turn == 0 || tree_.is_inside(middle))
+                add(middle, samples[i].on_surface, turn == 0 && ways[i].node == node && ways[j].node == node);
+    }
+    radius = largest;
+    return protrusion;
+  }
+
   // Whether a ball touches both ends of a branch, and the contour where it leaves the trunk goes around the ball on both
   // sides: the fronts that part or meet there are two sections of one tube.
   bool is_across_tube(const Branch& branch, Index tip, double contour_length) const
@@ -218,14 +260,12 @@ private:
   bool is_around_tube(double persistence,
                       double contour_length,
                       double radius,
-                      const std::vector<Contour_sample>& of_trunk) const
+                      const std::vector<double>& lengths_of_trunk) const
   {
-    double sum = 0, least = contour_length;
-    for(const Contour_sample& sample : of_trunk)
-    {
-      sum += sample.shape.length;
-      least = (std::min)(least, sample.shape.length);
-    }
+    const double sum = std::accumulate(lengths_of_trunk.begin(), lengths_of_trunk.end(), 0.);
+    double least = contour_length;
+    for(const double length : lengths_of_trunk)
+      least = (std::min)(least, length);
     return contour_length > (std::max)(0.85 * sum, 3 * pi * radius) && persistence < (1 + ratio_ / pi) * least / 2;
   }
 
@@ -236,23 +276,35 @@ private:
     double width; // from the center
   };
 
-  // Whether a tip is the corner of a bend: if two limbs of the trunk went straight on, at an angle, it would hardly stand out from
-  // each of them, but is across both from where they meet.
-  bool is_corner(const Branch& branch, Index tip, const std::vector<Index>& trunk, double radius) const
+  // Whether a tip is the corner of a bend: if two limbs of the trunk about as thick as the branch went straight on, at an angle, it would
+  // hardly stand out from each of them, but is across both from where they meet.
+  bool is_corner(const Branch& branch, Index tip, const std::vector<Index>& trunk, double radius, double own) const
   {
     const double cosine_of_30 = 0.866;
     const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
     std::vector<Vector> directions;
     for(std::size_t i = 0; i != trunk.size() && directions.size() + trunk.size() - i > 1; ++i)
-      if(const auto limb = thinnest_section(trunk[i], branch.end, radius, top))
-        if(length(cross_product(top - limb->center, limb->along)) < (1 + 0.4 * ratio_) * limb->width
-           && distance(top, bottom) > 1.1 * limb->width)
-          directions.push_back(limb->along);
+    {
+      const auto limb = thinnest_section(trunk[i], branch.end, radius, top);
+      if(limb && (std::max)(limb->width, own) < 2 * (std::min)(limb->width, own)
+         && distance(top, bottom) > 1.1 * limb->width && is_hidden(top, *limb))
+        directions.push_back((top - limb->center) * limb->along > 0 ? limb->along : -limb->along);
+    }
     for(const Vector& u : directions)
       for(const Vector& v : directions)
         if(u * v < cosine_of_30)
           return true;
     return false;
+  }
+
+  // Whether a point would hardly stand out from a limb that went straight on, and that can go on so till near the point.
+  bool is_hidden(const Point& p, const Limb_section& limb) const
+  {
+    const Vector way = p - limb.center;
+    const double height = way * limb.along, straight = std::abs(height) - 2.5 * limb.width;
+    return length(cross_product(way, limb.along)) < (1 + 0.4 * ratio_) * limb.width
+        && !(straight > 0
+             && tree_.is_crossed({limb.center}, {limb.center + (height > 0 ? straight : -straight) * limb.along}));
   }
 
   // A section of the limb of an arc where it is thinnest near a node, on the way to a tip.
@@ -306,6 +358,34 @@ private:
     return std::nullopt;
   }
 
+  // Adds a way, and, if the arc ends before it, or soon behind a contour that fronts share, the first ones on from there: where a
+  // loop joins a limb, fronts that have met are arcs behind a short one. None comes back to where they begin.
+  void add_ways(const Way& way, Index begin, int most_arcs, std::vector<Way>& ways) const
+  {
+    ways.push_back(way);
+    const Index next = graph_.other_end(way.arc, way.node);
+    const double left = way.distance - size(way.arc);
+    if(most_arcs == 0 || next == begin || !(left + 2 * way.distance > 0)
+       || !(left > 0 || is_shared(sample_farther(way.arc, way.node, way.distance))))
+      return;
+    for(const Index arc : graph_.arcs_of(next))
+      if(is_alive_[arc] && arc != way.arc)
+      {
+        const double radius = graph_.sample_beside(arc, next).shape.radius(), most = left > 0 ? left : way.distance;
+        add_ways({arc, next, degrees_[next] == 2 ? most : (std::min)(most, radius / 2)}, begin, most_arcs - 1, ways);
+      }
+  }
+
+  bool is_shared(const Contour_sample& sample) const
+  {
+    return sample.shape.length > 3 * pi * tree_.distance_from_wall(sample.shape.centroid, sample.on_surface);
+  }
+
+  double size(Index arc) const
+  {
+    return std::abs(graph_.value(graph_.ends(arc)[1]) - graph_.value(graph_.ends(arc)[0]));
+  }
+
   // A contour on the way from a node along an arc, and on through nodes with two arcs, about a distance away, before a share of
   // the last arc.
   Contour_sample sample_farther(Index arc, Index node, double distance, double most = 0.5) const
@@ -313,7 +393,7 @@ private:
     double passed = 0;
     while(true)
     {
-      const double size = std::abs(graph_.value(graph_.ends(arc)[1]) - graph_.value(graph_.ends(arc)[0]));
+      const double size = this->size(arc);
       const bool is_upwards = graph_.ends(arc)[0] == node;
       const Index next = graph_.other_end(arc, node);
       if(passed + size >= distance || degrees_[next] != 2)

@@ -61,6 +61,7 @@ private:
       }
     }
     join_junctions();
+    find_tips();
     for(std::size_t i = 0; i != lines_.size(); ++i)
     {
       progress.part(0.9, 1).report_step(i, lines_.size());
@@ -112,7 +113,7 @@ private:
   }
 
   // Moves the tip of a limb that ends bluntly to the middle of its cap, and another one to where the limb goes on straight, if that
-  // is farther.
+  // is farther, and near no other tip.
   void move_tip(Numbers& beads, bool is_last)
   {
     if(beads.size() < 3 || beads_[is_last ? beads.back() : beads.front()].depth > 0)
@@ -178,6 +179,11 @@ private:
   {
     std::optional<End_of_limb> blunt, farther;
     double most = 0.01;
+    const std::vector<Point> others = other_tips(tip, 8 * beads_[line[farthest]].depth);
+    const auto is_nearer_to_another = [&](const Point& p) {
+      return std::any_of(others.begin(), others.end(),
+                         [&](const Point& other) { return distance(p, other) < distance(p, tip); });
+    };
     for(std::size_t i = farthest; i != 0; --i)
     {
       const Bead& from = beads_[line[i]];
@@ -185,10 +191,10 @@ private:
       const Vector to_tip = tip - from.point.point;
       if(!(length(along) > 0) || to_tip * along < 0.7 * length(to_tip) * length(along)) // The tip is around a corner.
         continue;
-      const Blunt_end seen(tree_, from.point.point, along / length(along), from.depth, tip);
+      const Blunt_end seen(tree_, from.point.point, along / length(along), from.depth, tip, others);
       if(seen.middle() && !(blunt && blunt->radius <= seen.radius()))
         blunt = End_of_limb{*seen.middle(), seen.radius()};
-      if(!seen.seen() || distance(seen.seen()->point, tip) > 2 * from.depth)
+      if(!seen.seen() || distance(seen.seen()->point, tip) > 2 * from.depth || is_nearer_to_another(seen.seen()->point))
         continue;
       if(const double share = (seen.seen()->point - tip) * along / (length(along) * from.depth); share > most)
       {
@@ -197,6 +203,28 @@ private:
       }
     }
     return blunt ? blunt : farther;
+  }
+
+  void find_tips()
+  {
+    for(const Line& line : lines_)
+      if(!line.beads.empty())
+        for(const std::size_t bead : {line.beads.front(), line.beads.back()})
+          if(beads_[bead].is_on_surface())
+            tips_.push_back(beads_[bead].point.point);
+    std::sort(tips_.begin(), tips_.end());
+  }
+
+  // The tips of other lines that are so near to one.
+  std::vector<Point> other_tips(const Point& tip, double reach) const
+  {
+    std::vector<Point> result;
+    const Vector to_right(reach, 0, 0);
+    for(auto p = std::lower_bound(tips_.begin(), tips_.end(), tip - to_right);
+        p != tips_.end() && p->x() <= tip.x() + reach; ++p)
+      if(*p != tip && distance(*p, tip) <= reach)
+        result.push_back(*p);
+    return result;
   }
 
   // Puts points nearer to the straight line between their neighbors where that is hardly nearer to the surface: there is room in
@@ -557,6 +585,8 @@ private:
       return std::nullopt;
     return make_bead(point);
   }
+
+  std::vector<Point> tips_; // of all lines, before they are moved
 
   static constexpr int most_turns = 12, rounds_between = 5;
   static constexpr double way_of_rest = 0.05;  // by depths, in a turn
