@@ -189,7 +189,7 @@ void check(const Compute_options& options)
   check_pairs_format(options.pairs_path);
   check_diagram_format(options.diagram_path);
   check_loops_format(options.loop_path);
-  check_page(options.page_path, options.up);
+  check_page(options.page_path, options.up, options.input.is_strict);
   check_mesh_format(options.mesh_path);
   check_outputs(output_files(options), input_files(options.input));
   check_numbers_format(options.vertex_arcs_path);

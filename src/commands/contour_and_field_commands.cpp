@@ -66,7 +66,7 @@ std::vector<std::filesystem::path> check_files(const Contour_options& options)
     throw std::runtime_error("one of --output and --html is needed");
   for(const std::string& path : options.output_paths)
     check_contour_format(path);
-  check_page(options.page_path, options.up);
+  check_page(options.page_path, options.up, options.input.is_strict);
   std::vector<std::filesystem::path> inputs = input_files(options.input);
   if(!options.parametrization.empty() && options.parametrization != unit_gradient)
     inputs.emplace_back(options.parametrization);

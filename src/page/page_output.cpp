@@ -101,10 +101,12 @@ void write_data(const fs::path& path, const nlohmann::ordered_json& data, const 
 
 bool is_page_available() { return !page_template().empty(); }
 
-void check_page(const fs::path& path, const std::string& up)
+void check_page(const fs::path& path, const std::string& up, bool is_strict)
 {
   if(path.empty() && !up.empty())
     throw std::runtime_error("--up goes with --html only");
+  if(path.empty() && is_strict)
+    throw std::runtime_error("--strict goes with --html only");
   if(path.empty())
     return;
   if(!is_page_available())

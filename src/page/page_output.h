@@ -19,8 +19,8 @@ namespace reeb_graph_program {
 bool is_page_available();
 
 // Throws std::runtime_error, which tells how to get the page, if there is none, if the path is no .html file, or if
-// there is no path but a direction that would be up.
-void check_page(const std::filesystem::path& path, const std::string& up);
+// there is no path but a direction that would be up, or what only a page refuses.
+void check_page(const std::filesystem::path& path, const std::string& up, bool is_strict = false);
 
 // Writes a page that shows the simplified graph on its surface, in one file. A graph of more than 2000 arcs is
 // simplified until no more are left.

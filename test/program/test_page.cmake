@@ -82,6 +82,8 @@ expect_success(${fins} --output contours.polylines.txt --html page.html)
 expect_page(page fins.off curves=contours.polylines.txt)
 expect_error("--html needs an oriented manifold surface" ${fins} --strict --html page.html)
 expect_error("--up goes with --html only" ${fins} --up x --output contours.polylines.txt)
+expect_error("--strict goes with --html only" ${fins} --strict --output contours.polylines.txt)
+expect_error("--strict goes with --html only" compute fins.off --scalars five.txt --strict)
 
 # components, one of them a vertex; values that JSON does not have; a mesh far from 0
 file(WRITE ${FOLDER}/parts.off
