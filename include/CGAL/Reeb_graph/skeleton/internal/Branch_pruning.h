@@ -93,11 +93,12 @@ private:
   };
   typedef std::pair<double, Index> Entry; // of a tip
 
-  // A distance from a node along an arc.
+  // A distance from a node along an arc, and the contour there.
   struct Way
   {
     Index arc, node;
     double distance;
+    Contour_sample sample;
   };
 
   // Goes on with the branch of a tip through nodes with two arcs, and queues it if it ends at one with more.
@@ -163,13 +164,13 @@ private:
         radius = (std::max)(radius, graph_.sample_beside(arc, branch.end).shape.radius());
       }
     const double step = radius / 2; // Where the branch leaves the trunk, contours of this lean towards the tip.
-    std::vector<double> lengths;
     std::vector<Way> ways;
     for(const Index arc : trunk)
-    {
-      lengths.push_back(sample_farther(arc, branch.end, step).shape.length);
-      add_ways({arc, branch.end, step}, branch.end, 4, ways);
-    }
+      add_ways(arc, branch.end, step, branch.end, 4, ways);
+    std::vector<double> lengths;
+    for(const Way& way : ways)
+      if(way.node == branch.end)
+        lengths.push_back(way.sample.shape.length);
     const double protrusion = compare(top, branch.end, ways, step, radius);
     // The trunk's contour at a hand or foot is that of all fingers or toes: each is compared with its own one.
     const double length = graph_.sample_beside(branch.arcs.back(), branch.end).shape.length;
@@ -224,13 +225,14 @@ private:
       std::vector<Contour_sample> samples, farther;
       for(Way& way : ways)
       {
-        samples.push_back(sample_farther(way.arc, way.node, way.distance));
+        samples.push_back(way.sample);
         farther.push_back(sample_farther(way.arc, way.node, way.distance + 2 * step));
         if(turn == 0)
-          add(samples.back().shape.centroid, samples.back().on_surface, way.node == node);
-        if(is_shared(samples.back()))
+          add(way.sample.shape.centroid, way.sample.on_surface, way.node == node);
+        if(turn != 2 && is_shared(way.sample))
         {
           way.distance *= 2;
+          way.sample = sample_farther(way.arc, way.node, way.distance);
           is_any_shared = true;
         }
       }
@@ -360,19 +362,18 @@ private:
 
   // Adds a way, and, if the arc ends before it, or soon behind a contour that fronts share, the first ones on from there: where a
   // loop joins a limb, fronts that have met are arcs behind a short one. None comes back to where they begin.
-  void add_ways(const Way& way, Index begin, int most_arcs, std::vector<Way>& ways) const
+  void add_ways(Index arc, Index node, double distance, Index begin, int most_arcs, std::vector<Way>& ways) const
   {
-    ways.push_back(way);
-    const Index next = graph_.other_end(way.arc, way.node);
-    const double left = way.distance - size(way.arc);
-    if(most_arcs == 0 || next == begin || !(left + 2 * way.distance > 0)
-       || !(left > 0 || is_shared(sample_farther(way.arc, way.node, way.distance))))
+    ways.push_back({arc, node, distance, sample_farther(arc, node, distance)});
+    const Index next = graph_.other_end(arc, node);
+    const double left = distance - size(arc);
+    if(most_arcs == 0 || next == begin || !(left + 2 * distance > 0) || !(left > 0 || is_shared(ways.back().sample)))
       return;
-    for(const Index arc : graph_.arcs_of(next))
-      if(is_alive_[arc] && arc != way.arc)
+    for(const Index other : graph_.arcs_of(next))
+      if(is_alive_[other] && other != arc)
       {
-        const double radius = graph_.sample_beside(arc, next).shape.radius(), most = left > 0 ? left : way.distance;
-        add_ways({arc, next, degrees_[next] == 2 ? most : (std::min)(most, radius / 2)}, begin, most_arcs - 1, ways);
+        const double radius = graph_.sample_beside(other, next).shape.radius(), most = left > 0 ? left : distance;
+        add_ways(other, next, degrees_[next] == 2 ? most : (std::min)(most, radius / 2), begin, most_arcs - 1, ways);
       }
   }
 
