@@ -169,7 +169,8 @@ private:
 /// manual. The field decides nothing but the persistences: it has no influence on the loops.
 ///
 /// By default the loops are short: they are chosen by length, the shortest first, as long as the choice is part of such
-/// a basis, among loops that an edge closes with a tree of shortest paths. A loop is not longer than the shortest one of
+/// a basis, among loops that an edge closes with a tree of shortest paths. Of those within 4 percent,
+/// the ones of whose kind there are fewer come first. A loop is not longer than the shortest one of
 /// its class by more than 4 percent, unless searches stop as they see too much. This is common at high genus, most of all
 /// for the longer loop of a pair, and lets it be several times as long.
 ///

@@ -274,12 +274,12 @@ private:
   struct Limb_section
   {
     Point center;
-    Vector along; // of length 1, to where the limb ends
+    Vector along; // of length 1
     double width; // from the center
   };
 
-  // Whether a tip is the corner of a bend: if two limbs of the trunk about as thick as the branch went straight on, at an angle, it would
-  // hardly stand out from each of them, but is across both from where they meet.
+  // Whether a tip is the corner of a bend: if two limbs of the trunk about as thick as the branch went straight on, at an angle, it
+  // would hardly stand out from each of them, but is across both from where they meet.
   bool is_corner(const Branch& branch, Index tip, const std::vector<Index>& trunk, double radius, double own) const
   {
     const double cosine_of_30 = 0.866;
