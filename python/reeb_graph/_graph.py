@@ -240,7 +240,7 @@ class ReebGraph:
         return Embedding(manner_of_it.name, points, polylines, [numbers + base for numbers in values])
 
     def longest_loop(self) -> np.ndarray:
-        """Return the points of a closed curve on the surface along the most persistent loop of the graph."""
+        """Return the points of a shortest closed curve through both nodes of the most persistent loop."""
         self._need_points("a loop")
         return self._run("longest_loop")
 

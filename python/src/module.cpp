@@ -14,6 +14,7 @@
 #include "computation/comparison.h"
 #include "computation/curves.h"
 #include "computation/handles.h"
+#include "computation/longest_loop.h"
 #include "computation/scalar_fields.h"
 #include "computation/simplification.h"
 #include "computation/skeleton.h"

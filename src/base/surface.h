@@ -76,6 +76,25 @@ struct Mesh
   std::optional<Repair_counts> repair = {}; // of the copy that this is, if the file has no surface
 };
 
+// Calls visit(u, v) for the ends of each edge, in either order, and of some edges again.
+template <class Visit>
+void visit_edges(const Mesh& mesh, const Visit& visit)
+{
+  for(const Surface::Edge_index e : mesh.surface.edges())
+    visit(mesh.surface.vertex(e, 0).idx(), mesh.surface.vertex(e, 1).idx());
+  const auto visit_all = [&](const auto& cells) {
+    for(const auto& cell : cells)
+      for(std::size_t i = 1; i < cell.size(); ++i)
+        for(std::size_t j = 0; j < i; ++j)
+          visit(cell[i], cell[j]);
+  };
+  if(!mesh.complex)
+    return;
+  visit_all(mesh.complex->edges);
+  visit_all(mesh.complex->triangles);
+  visit_all(mesh.complex->tetrahedra);
+}
+
 // The numbers by which files know vertices: those of the surface, or others where the surface has the vertices of nodes
 // only.
 typedef boost::

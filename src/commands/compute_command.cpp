@@ -11,7 +11,7 @@
 #include "commands/commands.h"
 #include "computation/Mesh_graph.h"
 #include "computation/analysis.h"
-#include "computation/handles.h"
+#include "computation/longest_loop.h"
 #include "computation/simplification.h"
 #include "input/field_input.h"
 #include "input/input_error.h"
@@ -45,7 +45,7 @@ bool are_places_wanted(const Compute_options& options, bool is_surface)
 {
   return options.is_table_wanted.value_or(false) || are_attributes_written(options, is_surface)
       || !options.vertex_arcs_path.empty() || !options.mesh_path.empty() || !options.page_path.empty()
-      || !options.simplified_scalars_path.empty();
+      || !options.simplified_scalars_path.empty() || !options.loop_path.empty();
 }
 
 std::vector<std::filesystem::path> output_files(const Compute_options& options)

@@ -298,6 +298,8 @@ public:
     return std::make_unique<Mesh_graph_of>(*this, simplification, threshold);
   }
 
+  const Mesh& mesh() const override { return mesh_; }
+  Scalar_map scalar_map() const override { return scalar_map_; }
   const Graph& given() const override { return kind_.on_surface(*given_, given_on_surface_); }
   const Graph& result() const override
   {

@@ -73,6 +73,9 @@ class Mesh_graph
 public:
   virtual ~Mesh_graph() = default;
 
+  virtual const Mesh& mesh() const = 0;
+  virtual Scalar_map scalar_map() const = 0;
+
   // The graph before and after it has been simplified. Nodes know their vertices by those of the surface of the mesh;
   // on complexes, arcs have no chains.
   virtual const Graph& given() const = 0;

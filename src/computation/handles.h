@@ -48,10 +48,6 @@ Loops_of_surface find_loops(const Surface& surface,
 // Writes the coordinate, of the three, whose extrema have the least persistence in all, and returns its name.
 std::string write_least_rough_height(const Surface& surface, Scalar_map scalar_map);
 
-// The most persistent loop of the graph, of several the one with the lowest upper node, as a curve along the chains of
-// its arcs. Throws std::runtime_error if the graph has no loop.
-Loops_of_surface find_longest_loop(Mesh_graph& graph);
-
 } // namespace reeb_graph_program
 
 #endif // CGAL_REEB_GRAPH_SRC_HANDLES_H

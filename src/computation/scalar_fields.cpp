@@ -53,19 +53,13 @@ struct Length
 };
 
 // Each edge twice, once in each direction, in ascending order.
-Edges directed_edges(const Complex& complex)
+Edges directed_edges(const Mesh& mesh)
 {
   Edges edges;
-  const auto add_edges_of = [&](const auto& simplices) {
-    for(const auto& simplex : simplices)
-      for(const std::size_t u : simplex)
-        for(const std::size_t v : simplex)
-          if(u != v)
-            edges.emplace_back(u, v);
-  };
-  add_edges_of(complex.edges);
-  add_edges_of(complex.triangles);
-  add_edges_of(complex.tetrahedra);
+  visit_edges(mesh, [&](std::size_t u, std::size_t v) {
+    edges.emplace_back(u, v);
+    edges.emplace_back(v, u);
+  });
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
@@ -203,7 +197,7 @@ std::vector<std::size_t> compute_distances_along_edges(const Mesh& mesh,
   std::vector<std::size_t> sources = options.source_vertices;
   for(const std::size_t source : sources)
     vertex(surface, source);
-  const Edges edges = directed_edges(*mesh.complex);
+  const Edges edges = directed_edges(mesh);
   const Components components(edges, surface.number_of_vertices());
   if(sources.empty())
     sources = far_sources(surface, edges, components);

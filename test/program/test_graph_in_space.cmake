@@ -113,7 +113,7 @@ if(NOT PYTHON)
   message(STATUS "SKIPPED: Python, which checks loops, is not installed")
   return()
 endif()
-set(check_loop "import csv, random, subprocess, sys
+set(check_loop "import csv, json, math, random, subprocess, sys
 program, mesh = sys.argv[1:]
 lines = open(mesh).read().split('\\n')
 number = int(lines[1].split()[0])
@@ -135,6 +135,23 @@ for seed in range(-1, 6):
     heights = [z for _, _, z in points]
     assert any(abs(min(heights) - float(row['lower_value'])) + abs(max(heights) - float(row['upper_value'])) < 1e-9 * size
                for row in loops if float(row['persistence']) == size), seed
+
+# On a torus with noise, each arc leads anywhere around the tube, so a curve along all of them is 193 long. Each of the two
+# nodes is at most half of a ring away from a meridian.
+n, m = 100, 50
+turn = lambda i, count: 2 * math.pi * i / count
+points = [((3 + math.cos(turn(j, m))) * math.cos(turn(i, n)), (3 + math.cos(turn(j, m))) * math.sin(turn(i, n)),
+           math.sin(turn(j, m))) for i in range(n) for j in range(m)]
+at = lambda i, j: i % n * m + j % m
+faces = [f for i in range(n) for j in range(m)
+         for f in ((at(i, j), at(i + 1, j), at(i + 1, j + 1)), (at(i, j), at(i + 1, j + 1), at(i, j + 1)))]
+open('ring.off', 'w').write('\\n'.join(['OFF', f'{n * m} {2 * n * m} 0'] + ['%r %r %r' % p for p in points]
+                                      + ['3 %d %d %d' % f for f in faces]))
+random.seed(8)
+open('ring.txt', 'w').write('\\n'.join(repr(p[2] + random.gauss(0, 0.02)) for p in points))
+run = subprocess.run([program, 'compute', 'ring.off', '--scalars', 'ring.txt', '--longest-loop', 'loop.obj', '--json'],
+                     check=True, capture_output=True)
+assert 2 * math.pi < json.loads(run.stdout)['longest_loop']['length'] < 2 * math.pi + 4 * math.pi * 4
 ")
 execute_process(COMMAND ${PYTHON} -c "${check_loop}" ${PROGRAM} ${genus_3} WORKING_DIRECTORY ${FOLDER}
                 RESULT_VARIABLE result ERROR_VARIABLE python_error)
