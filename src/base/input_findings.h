@@ -18,11 +18,12 @@ namespace reeb_graph_program {
 // Points of border edges that may be meant to be one.
 struct Close_points
 {
-  std::size_t coinciding = 0;  // with another one
-  std::size_t close = 0;       // to another one elsewhere
-  double largest_distance = 0; // that counts as close: a millionth of the diagonal of the box of all points
-  std::size_t on_edges = 0;    // on the inside of a border edge, or as close to it: T-junctions
-  double needed_distance = 0;  // at which repair joins these, a power of ten; 0 if all coincide
+  std::size_t coinciding = 0;            // with another one
+  std::size_t close = 0;                 // to another one elsewhere
+  double largest_distance = 0;           // that counts as close: a millionth of the diagonal of the box of all points
+  std::size_t on_edges = 0;              // on the inside of a border edge, or as close to it: T-junctions
+  double needed_distance = 0;            // at which repair joins these, a power of ten; 0 if all coincide
+  bool have_edges_of_many_faces = false; // if those that coincide are one: bodies touch
 
   bool is_any() const { return coinciding + close + on_edges > 0; }
 };

@@ -235,22 +235,40 @@ void count_close_places(const std::vector<Point>& points,
 
 } // namespace
 
-std::vector<Corner> border_points(const Polygons& polygons)
+namespace {
+// Calls visit(side, number of the polygons that have it).
+template <class Visit>
+void for_each_edge(const Polygons& polygons, const Visit& visit)
 {
   std::vector<std::pair<Corner, Corner>> sides;
   sides.reserve(polygons.number_of_corners());
   for_each_side(polygons, [&](Corner u, Corner v) { sides.emplace_back(std::minmax(u, v)); });
   std::sort(sides.begin(), sides.end());
-  std::vector<Corner> result;
-  for(std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  for(auto begin = sides.begin(), end = begin; begin != sides.end(); begin = end)
   {
-    for(end = begin; end < sides.size() && sides[begin] == sides[end];)
-      ++end;
-    if(end - begin == 1)
-      result.insert(result.end(), {sides[begin].first, sides[begin].second});
+    end = std::find_if(begin, sides.end(), [&](const auto& side) { return side != *begin; });
+    visit(*begin, end - begin);
   }
+}
+
+} // namespace
+
+std::vector<Corner> border_points(const Polygons& polygons)
+{
+  std::vector<Corner> result;
+  for_each_edge(polygons, [&](const auto& side, std::ptrdiff_t number) {
+    if(number == 1)
+      result.insert(result.end(), {side.first, side.second});
+  });
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+bool has_edge_of_many_faces(const Polygons& polygons)
+{
+  bool result = false;
+  for_each_edge(polygons, [&](const auto&, std::ptrdiff_t number) { result = result || number > 2; });
   return result;
 }
 
@@ -306,9 +324,9 @@ std::string suggested_repair(const Close_points& points)
   if(points.on_edges > 0)
     command << "--all --stitch " << points.needed_distance;
   else if(points.close > 0)
-    command << "--merge-within " << points.needed_distance;
+    command << (points.have_edges_of_many_faces ? "--all " : "") << "--merge-within " << points.needed_distance;
   else
-    command << "--merge";
+    command << (points.have_edges_of_many_faces ? "--all" : "--merge");
   return command.str();
 }
 

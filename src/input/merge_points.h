@@ -35,6 +35,8 @@ Duplicates find_duplicates(const Polygons& polygons, bool have_same_orientation)
 // The points of edges that one polygon has, in ascending order.
 std::vector<Corner> border_points(const Polygons& polygons);
 
+bool has_edge_of_many_faces(const Polygons& polygons);
+
 // The diagonal of the box of all points.
 long double diagonal_of(const std::vector<Point>& points);
 

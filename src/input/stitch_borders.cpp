@@ -162,6 +162,7 @@ void count_points_on_edges(const Polygon_soup& soup, const std::vector<Corner>& 
     join(soup.polygons, join_close_points(soup.points, border_points, 0), [&](const Polygons::Polygon& polygon) {
       return std::count_if(polygon.begin(), polygon.end(), [&](Corner v) { return is_on_border[v] != 0; }) > 1;
     });
+  result.have_edges_of_many_faces = has_edge_of_many_faces(beside);
   const std::vector<Corner> left = reeb_graph_program::border_points(beside);
   if(left.empty())
     return;

@@ -57,6 +57,16 @@ expect_equal("${map}" "0\n1\n2\n0\n2\n3\n2\n1\n3\n0\n3\n1\n")
 expect_repair(0 merged_points ARGUMENTS welded.off --merge --orient --split --largest --output again.off)
 expect_same_file(welded.off again.off)
 
+# two of them that share a face, as a soup: merging alone cannot join four faces at an edge
+file(READ ${FOLDER}/unwelded.obj soup)
+string(REPLACE "0 0 1\n" "0 0 -1\n" mirrored "${soup}")
+string(REGEX REPLACE "f [^v]*" "" mirrored "${mirrored}")
+file(WRITE ${FOLDER}/touching.obj
+     "${soup}${mirrored}f 13 15 14\nf 16 18 17\nf 19 21 20\nf 22 24 23\n")
+expect_json("reeb_graph repair --all" input suggested_repair ARGUMENTS touching.obj --field z)
+expect_repair(1 result components ARGUMENTS touching.obj --all --output joined.off)
+expect_repair(0 result border_loops ARGUMENTS touching.obj --all --output joined.off)
+
 # a face that has a corner twice: points of STL files are merged on reading
 write_stl(degenerate.stl "0 0 0,1 0 1,0 1 2" "1 0 1,1 1 3,0 1 2" "1 0 1,0 1 2,0 1 2")
 file(WRITE ${FOLDER}/degenerate.obj "v 0 0 0\nv 1 0 1\nv 0 1 2\nv 1 1 3\nf 1 2 3\nf 2 4 3\nf 2 3 3\n")
@@ -304,7 +314,7 @@ expect_error("--unreached goes with" field alone.off --type height --unreached n
 file(WRITE ${FOLDER}/slit.off "OFF\n13 7 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n1e-9 0 0\n1e-9 1 0\n-1 0 0\n-1 1 0\n"
      "5 0 0\n5 1 0\n6 0 1\n6 1 1\n4 0.5 -1\n3 0 1 2\n3 1 3 2\n3 4 5 6\n3 5 7 6\n3 8 9 10\n3 9 8 11\n3 8 9 12\n")
 expect_success(skeleton slit.off)
-expect_match("${output}" "4 along borders are less than .* from others: 'reeb_graph repair --merge-within 1e-08' merges them")
+expect_match("${output}" "4 along borders are less than .* from others: 'reeb_graph repair --all --merge-within 1e-08' merges them")
 
 # what is no matter of faces
 file(WRITE ${FOLDER}/tetrahedra.vtk "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
