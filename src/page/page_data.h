@@ -103,7 +103,7 @@ nlohmann::ordered_json page_graph(const Embedded_graph& embedded,
                                   const Page_frame& frame,
                                   const Value_scale& value_scale);
 
-// The graph, and simplified graphs for thresholds that ascend, loops cancelled: all there are if they are few, else
+// The graph, and simplified graphs for thresholds that ascend, loops cancelled: all there are if they are few, else those of ticks,
 // those of the largest thresholds, and some of the others.
 nlohmann::ordered_json page_levels(const Embedded_graph& given,
                                    const Page_frame& frame,

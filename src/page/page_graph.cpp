@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -140,8 +141,8 @@ std::vector<double> thresholds(const Graph& graph)
   return std::vector<double>(result.begin(), result.end());
 }
 
-// All of the last ones, and of those before, whose graphs have more arcs, ever fewer.
-std::vector<double> choose(const std::vector<double>& candidates)
+// All of the last ones, of those before, whose graphs have more arcs, ever fewer, and those of ticks.
+std::vector<double> choose(const std::vector<double>& candidates, const std::vector<Simplification_threshold>& ticks)
 {
   if(candidates.size() < largest_number_of_levels)
     return candidates;
@@ -153,6 +154,10 @@ std::vector<double> choose(const std::vector<double>& candidates)
     const double share = std::pow(double(number_before), double(i) / double(number_of_chosen));
     chosen.push_back(candidates[number_before - (std::min)(static_cast<std::size_t>(share), number_before)]);
   }
+  for(const Simplification_threshold& tick : ticks)
+    if(const auto after = std::upper_bound(candidates.begin(), candidates.end(), tick.threshold);
+       after != candidates.begin())
+      chosen.push_back(*std::prev(after));
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
@@ -241,7 +246,7 @@ nlohmann::ordered_json page_levels(const Embedded_graph& given, const Page_frame
     arcs.push_back(i);
   auto levels = nlohmann::ordered_json::array({first});
   std::size_t last_number_of_arcs = num_edges(given.graph);
-  for(const double threshold : choose(thresholds(given.graph)))
+  for(const double threshold : choose(thresholds(given.graph), find_thresholds(given.graph, true)))
   {
     Graph simplified;
     const Simplification simplification =
