@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -111,6 +112,54 @@ void turn(std::vector<Point>& points, random_meshes::Random& random)
     }
   }
 }
+
+typedef std::array<double, 2> Corner;
+
+// Triangles of a simple polygon, counterclockwise: corners are cut off one by one.
+std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Corner>& polygon)
+{
+  const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const Corner &p = polygon[a], &q = polygon[b], &r = polygon[c];
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  };
+  std::vector<std::size_t> left(polygon.size());
+  std::iota(left.begin(), left.end(), std::size_t(0));
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for(std::size_t i = 0; left.size() > 2; ++i)
+  {
+    const std::size_t size = left.size(), a = left[i % size], b = left[(i + 1) % size], c = left[(i + 2) % size];
+    const auto is_inside = [&](std::size_t v) {
+      return v != a && v != b && v != c && turn(a, b, v) >= 0 && turn(b, c, v) >= 0 && turn(c, a, v) >= 0;
+    };
+    if(!(turn(a, b, c) > 0) || std::any_of(left.begin(), left.end(), is_inside))
+      continue;
+    triangles.push_back({a, b, c});
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>((i + 1) % size));
+  }
+  return triangles;
+}
+
+// What is above a polygon, up to a height: as few triangles as there can be.
+generated_surfaces::Triangle_soup extruded(const std::vector<Corner>& polygon, double height)
+{
+  generated_surfaces::Triangle_soup soup;
+  const std::size_t n = polygon.size();
+  for(const double z : {0., height})
+    for(const Corner& p : polygon)
+      soup.points.push_back({p[0], p[1], z});
+  for(const auto& [a, b, c] : triangles_of(polygon))
+  {
+    soup.triangles.push_back({a, c, b});
+    soup.triangles.push_back({n + a, n + b, n + c});
+  }
+  for(std::size_t i = 0; i != n; ++i)
+  {
+    const std::size_t next = (i + 1) % n;
+    soup.triangles.push_back({i, next, n + next});
+    soup.triangles.push_back({i, n + next, n + i});
+  }
+  return soup;
+}
 } // namespace
 
 // Each tip on the rim of a lid has edges as long as a limb would be.
@@ -154,6 +203,30 @@ BOOST_AUTO_TEST_CASE(arms_of_crosses_are_there)
     turn(soup.points, random);
     auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
     BOOST_TEST(found_ends(mesh, std::nullopt).size() == (lower_arm > 0 ? 4 : 3));
+  }
+}
+
+// Edges as long as the arms do not see where these fork.
+BOOST_AUTO_TEST_CASE(arms_of_solids_of_few_triangles_are_there)
+{
+  for(std::size_t seed = 0; seed != 40; ++seed)
+  {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    random_meshes::Random random(seed);
+    const auto arm = [&] { return 3 + static_cast<double>(random.below(600)) / 100; };
+    const double a = -arm(), b = arm(), c = -arm(), d = arm(), e = 4 + arm();
+    const std::vector<Corner> letter_t = {{a, 0}, {b, 0}, {b, 1}, {1, 1}, {1, d}, {0, d}, {0, 1}, {a, 1}};
+    const std::vector<Corner> plus = {{0, 0}, {0, c}, {1, c}, {1, 0}, {b, 0}, {b, 1},
+                                      {1, 1}, {1, d}, {0, d}, {0, 1}, {a, 1}, {a, 0}};
+    const std::vector<Corner> letter_h = {{0, 0}, {0, c},     {1, c},     {1, 0}, {e - 1, 0}, {e - 1, c}, {e, c},
+                                          {e, d}, {e - 1, d}, {e - 1, 1}, {1, 1}, {1, d},     {0, d}};
+    for(const auto& [polygon, number] : {std::pair(letter_t, 3u), {plus, 4u}, {letter_h, 4u}})
+    {
+      auto soup = extruded(polygon, 1);
+      turn(soup.points, random);
+      auto mesh = generated_surfaces::make_mesh<Surface_mesh>(soup);
+      BOOST_TEST(found_ends(mesh, std::nullopt).size() == number);
+    }
   }
 }
 

@@ -526,29 +526,34 @@ BOOST_AUTO_TEST_CASE(tips_of_round_and_pointed_ends_stay)
   }
 }
 
-// A line that bends at a handle can look at a side of the bar: its end is in the middle of the cap all the same.
+// A line that bends at a handle can look at a side of the bar: its end is in the middle of the cap all the same. On a fine mesh,
+// the front comes to the inside of the cap last, not to a corner.
 BOOST_AUTO_TEST_CASE(bars_with_a_handle_end_in_the_middle_of_their_caps)
 {
   for(const int length : {14, 18})
-    for(int z = 3; z <= length - 6; ++z)
-      BOOST_TEST_CONTEXT("length " << length << ", handle at " << z)
-      {
-        const auto is_solid = [&](const Voxel_solid::Cell& cell) {
-          const bool is_bar = cell[0] < 9 && cell[1] < 9 && cell[2] < length;
-          const bool is_foot = cell[0] < 12 && (cell[2] == z || cell[2] == z + 2);
-          return is_bar || (cell[1] == 2 && (is_foot || (cell[0] == 11 && cell[2] == z + 1)));
-        };
-        const auto mesh = generated_surfaces::make_mesh<Surface_mesh>(Voxel_solid::of_cells(20, is_solid).surface());
-        CGAL::Reeb_graph::Curve_skeleton<Surface_mesh> skeleton;
-        BOOST_TEST(CGAL::Reeb_graph::extract_curve_skeleton(mesh, skeleton).number_of_loops == 1u);
-        std::size_t number_in_middle = 0;
-        for(const auto v : CGAL::make_range(vertices(skeleton)))
-          for(const int cap : {0, length})
-            if(out_degree(v, skeleton) == 1
-               && CGAL::squared_distance(skeleton[v].point, Surface_mesh::Point(4.5, 4.5, cap)) < 0.01)
-              ++number_in_middle;
-        BOOST_TEST(number_in_middle == 2u);
-      }
+    for(const int fine : {1, 2})
+      for(int z = 5; z <= length - 8; ++z)
+        BOOST_TEST_CONTEXT("length " << length << ", handle at " << z << ", cells cut " << fine << " times")
+        {
+          const auto is_solid = [&](const Voxel_solid::Cell& cell) {
+            const int x = cell[0] / fine, y = cell[1] / fine, height = cell[2] / fine;
+            const bool is_bar = x < 9 && y < 9 && height < length;
+            const bool is_foot = x < 12 && (height == z || height == z + 2);
+            return is_bar || (y == 2 && (is_foot || (x == 11 && height == z + 1)));
+          };
+          const auto mesh =
+            generated_surfaces::make_mesh<Surface_mesh>(Voxel_solid::of_cells(20 * fine, is_solid).surface());
+          Curve_skeleton<Surface_mesh> skeleton;
+          BOOST_TEST(extract_curve_skeleton(mesh, skeleton).number_of_loops == 1u);
+          std::size_t number_in_middle = 0;
+          for(const auto v : CGAL::make_range(vertices(skeleton)))
+            for(const int cap : {0, length})
+              if(out_degree(v, skeleton) == 1
+                 && squared_distance(skeleton[v].point, Surface_mesh::Point(4.5 * fine, 4.5 * fine, cap * fine))
+                      < 0.01 * fine * fine)
+                ++number_in_middle;
+          BOOST_TEST(number_in_middle == 2u);
+        }
 }
 
 // A front passes around the wall of a long pipe before it passes along: loops through centers of contours go down and up again.

@@ -49,6 +49,24 @@ def blocks(solid, fine=1):
     numbers = numbers.reshape(-1, 4)
     return split(np.concatenate([numbers[:, [0, 1, 2]], numbers[:, [0, 2, 3]]]), points.astype(float), fine - 1)
 
+def extruded(polygon, height, times=0):
+    """Return what is above a polygon, with as few triangles as there can be, or cut again and again."""
+    def turn(a, b, c):
+        return np.cross(polygon[b] - polygon[a], polygon[c] - polygon[a])
+    polygon, left, caps = np.asarray(polygon, dtype=float), list(range(len(polygon))), []
+    while len(left) > 2:
+        a, b, c = left[:3]
+        inside = [v for v in left[3:] if turn(a, b, v) >= 0 and turn(b, c, v) >= 0 and turn(c, a, v) >= 0]
+        is_ear = turn(a, b, c) > 0 and not inside
+        caps += [(a, b, c)] if is_ear else []
+        left = [a, *left[2:]] if is_ear else [*left[1:], a]
+    n = len(polygon)
+    low = np.arange(n)
+    high, after = low + n, (low + 1) % n
+    walls = [np.stack([low, after, after + n], axis=1), np.stack([low, after + n, high], axis=1)]
+    triangles = np.concatenate([np.array(caps)[:, ::-1], np.array(caps) + n, *walls])
+    return split(triangles, np.concatenate([np.c_[polygon, 0 * low], np.c_[polygon, 0 * low + height]]), times)
+
 def tube(line, radii, corners, closed=False):
     """Return a tube around a line, which `closed` leads back to its first point; where the radius is 0, it is a point."""
     line, radii = np.asarray(line, dtype=float), np.broadcast_to(radii, len(line))

@@ -18,7 +18,7 @@ from collections import namedtuple
 import numpy as np
 from numpy import cos, pi, sin, sqrt
 
-from meshes import blocks, capsule, implicit, moved, ring, rod, split, tube, union, united, welded
+from meshes import blocks, capsule, extruded, implicit, moved, ring, rod, split, tube, union, united, welded
 
 DIRECTION = np.array([0.31, 0.17, 1]) / sqrt(0.31**2 + 0.17**2 + 1)  # no edge of a lattice is level along it
 DEFAULTS = {"components": 1, "genus": 0, "borders": 0, "repair": ()}
@@ -137,6 +137,14 @@ def letter(fine, name):
                          "plus": ("...o... ...o... ...o... ooooooo ...o... ...o... ...o...", 4, 0), "H": ("o..o o..o oooo o..o o..o", 4, 0)}[name]
     solid = np.array([[[cell == "o"] for cell in row] for row in rows.split()])
     return blocks(solid, fine), dict(genus=genus, ends=ends, volume=float(solid.sum()))
+@plain("T", "plus", "H")
+def extruded_letter(fine, name):
+    """A letter of few triangles, whose edges are as long as the arms."""
+    polygon, ends, area = {
+        "T": ([(-5, 0), (6, 0), (6, 1), (1, 1), (1, 9), (0, 9), (0, 1), (-5, 1)], 3, 19),
+        "plus": ([(0, 0), (0, -5), (1, -5), (1, 0), (6, 0), (6, 1), (1, 1), (1, 8), (0, 8), (0, 1), (-4, 1), (-4, 0)], 4, 22),
+        "H": ([(0, 0), (0, -5), (1, -5), (1, 0), (6, 0), (6, -5), (7, -5), (7, 6), (6, 6), (6, 1), (1, 1), (1, 6), (0, 6)], 4, 27)}[name]
+    return extruded(polygon, 1, fine - 1), dict(genus=0, ends=ends, volume=float(area))
 @plain()
 def double_torus(fine):
     function = union(ring((-2, 0, 0), 2, 0.7), ring((2, 0, 0), 2, 0.7))

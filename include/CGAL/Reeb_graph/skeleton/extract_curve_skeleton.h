@@ -169,11 +169,12 @@ void add_component(const Reading& reading,
 /// \brief extracts a curve skeleton: thin lines inside of a surface, with a cycle for each handle, an end for each limb
 /// and each border, and radii.
 ///
-/// It is the Reeb graph of the distances from a tip of each connected component, drawn through the centers of contours.
-/// Borders are filled first, each by a fan of triangles around its center, which the mesh does not see: then each is an
-/// end, and holes in the wall of a tube make no cycles. Branches are pruned that stand out less from the trunk than a share of
-/// its radius, or are shorter than a share of their own. What is left has as many cycles as the surface, borders filled, has
-/// handles, less those that are hidden in multi-saddles, which are counted.
+/// It is the Reeb graph of the distances from a tip of each connected component, drawn through the centers of contours. Borders
+/// are filled first, each by a fan of triangles around its center, which the mesh does not see: then each is an end, and holes
+/// in the wall of a tube make no cycles. Edges that are longer than the square root of a five-hundredth of the area are cut in
+/// halves there, up to 2,000 times: where they are as long as limbs, fronts do not see where these fork. Branches are pruned
+/// that stand out less from the trunk than a share of its radius, or are shorter than a share of their own. What is left has as
+/// many cycles as the surface, borders filled, has handles, less those that are hidden in multi-saddles, which are counted.
 ///
 /// Then points that are outside are moved inside, and edges that cross the surface are bent until they do not. Where loops would be
 /// no basis of those inside, by linking numbers, lines make detours along tunnels, as `handle_and_tunnel_loops()` finds them, or

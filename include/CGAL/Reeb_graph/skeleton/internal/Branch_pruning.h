@@ -41,6 +41,7 @@ class Branch_pruning
 public:
   Branch_pruning(const Sampled_graph& graph,
                  const Surface_tree& tree,
+                 const std::vector<double>& given_lengths,
                  double ratio,
                  bool are_values_distances,
                  const std::vector<bool>& is_border,
@@ -56,7 +57,7 @@ public:
       redirections_(graph.number_of_nodes(), no_index),
       branches_(graph.number_of_nodes()),
       waiting_(graph.number_of_nodes()),
-      walk_(tree.mesh())
+      walk_(tree.mesh(), given_lengths)
   {
     for(Index node = 0; node != graph.number_of_nodes(); ++node)
       degrees_[node] = static_cast<Index>(graph.arcs_of(node).size());
@@ -146,15 +147,73 @@ private:
     }
   }
 
-  // Compares with the trunk: contours of the other arcs near where the branch ends, and what lies between two of them.
-  // The tip protrudes from the one that hides it best.
   bool is_to_go(const Branch& branch, Index tip)
   {
     if(!(ratio_ > 0) || is_border_[tip])
       return false;
+    if(!stands_out_little(branch, graph_.vertex(tip)))
+      return false;
+    const auto corner = farthest_corner(branch, tip);
+    return corner == graph_.vertex(tip) || stands_out_little(branch, corner);
+  }
+
+  // Where the front comes last to the middle of the flat end of a thick limb, behind others that are thin, the corner of that end
+  // that is farthest from where the branch leaves the trunk; else the vertex of the tip.
+  Mesh::Vertex_index farthest_corner(const Branch& branch, Index tip)
+  {
+    const auto top = graph_.vertex(tip);
+    if(!are_values_distances_
+       || std::any_of(balls_.begin(), balls_.end(), [&](const Inner_ball& ball) { return is_short(branch, ball); }))
+      return top;
+    const Vector inwards = tree_.inward_direction(top);
+    const auto is_beside = [&](const Point& p) {
+      const Vector way = p - graph_.point(tip);
+      return std::abs(way * inwards) < 0.2 * length(way);
+    };
+    const auto length_beside = [&](Index arc) { return graph_.sample_beside(arc, branch.end).shape.length; };
+    const double around = length_beside(branch.arcs.back());
+    if(!(branch.persistence > 0.75 * around / (2 * pi)))
+      return top;
+    int number_of_thick = 0;
+    for(const Index arc : graph_.arcs_of(branch.end))
+      if(is_alive_[arc] && arc != branch.arcs.back())
+      {
+        const Index other = graph_.other_end(arc, branch.end);
+        number_of_thick += length_beside(arc) > around / 2 ? 1 : 0;
+        if(number_of_thick > 1 || (degrees_[other] == 1 && is_beside(graph_.point(other))))
+          return top;
+      }
+    auto corner = top;
+    const auto way_to = [&](Mesh::Vertex_index v) { return distance(tree_.mesh().point(v), graph_.point(branch.end)); };
+    for(walk_.start(top); walk_.next_distance() < around / pi; walk_.step())
+      if(is_of(branch, walk_.last()) && way_to(walk_.last()) > way_to(corner))
+        corner = walk_.last();
+    return is_beside(tree_.mesh().point(corner)) ? corner : top;
+  }
+
+  // Whether a vertex is one of a branch, or of what has been taken off it.
+  bool is_of(const Branch& branch, Mesh::Vertex_index v)
+  {
+    const Index place = graph_.place(v), arc = place - graph_.number_of_nodes();
+    if(place >= graph_.number_of_nodes() && is_alive_[arc])
+      return std::find(branch.arcs.begin(), branch.arcs.end(), arc) != branch.arcs.end();
+    const auto is_in = [&](Index node) {
+      return node != branch.end && std::any_of(branch.arcs.begin(), branch.arcs.end(), [&](Index own) {
+               return graph_.ends(own)[0] == node || graph_.ends(own)[1] == node;
+             });
+    };
+    return place < graph_.number_of_nodes()
+           ? is_in(trunk_of(place))
+           : is_in(trunk_of(graph_.ends(arc)[0])) && is_in(trunk_of(graph_.ends(arc)[1]));
+  }
+
+  // Whether a branch hardly stands out, if a vertex is its tip. Compares with the trunk: contours of the other arcs near where the
+  // branch ends, and what lies between two of them. The tip protrudes from the one that hides it best.
+  bool stands_out_little(const Branch& branch, Mesh::Vertex_index tip)
+  {
     if(is_beside_large_ball(branch, tip))
       return true;
-    const Point& top = graph_.point(tip);
+    const Point& top = tree_.mesh().point(tip);
     std::vector<Index> trunk;
     double radius = 0;
     for(const Index arc : graph_.arcs_of(branch.end))
@@ -189,22 +248,31 @@ private:
   // Whether a branch is short beside a ball inside of the surface near where it leaves the trunk, or its tip hardly protrudes from
   // that, and it is no limb. Most branches of noise go so, by balls that have been met: contours need not be measured, which can
   // be as long as the surface is large. One that is not of noise has a ball of its own, as another one near can be in its limb.
-  bool is_beside_large_ball(const Branch& branch, Index tip)
+  bool is_beside_large_ball(const Branch& branch, Mesh::Vertex_index tip)
   {
-    const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
-    const auto is_near = [&](const Inner_ball& ball) { return distance(bottom, ball.center) < 1.5 * ball.radius; };
-    const auto is_short = [&](const Inner_ball& ball) { return branch.persistence < ratio_ / 2 * ball.radius; };
+    const Point& top = tree_.mesh().point(tip);
     const auto protrusion = [&](const Inner_ball& ball) { return distance(top, ball.center) - ball.radius; };
     for(const Inner_ball& ball : balls_)
-      if(is_near(ball) && is_short(ball) && protrusion(ball) < ratio_ * ball.radius)
+      if(is_short(branch, ball) && protrusion(ball) < ratio_ * ball.radius)
         return true;
     const Inner_ball ball = tree_.ball_beneath(graph_.vertex(branch.end));
-    if(!is_near(ball))
+    if(!is_near(branch, ball))
       return false;
     balls_.push_back(ball);
-    return (is_short(ball) || protrusion(ball) < ratio_ * ball.radius)
+    return (is_short(branch, ball) || protrusion(ball) < ratio_ * ball.radius)
         && (protrusion(ball) < ratio_ / 2 * ball.radius
             || !is_limb(tip, ratio_ / 2 * ball.radius, 2 * protrusion(ball)));
+  }
+
+  bool is_near(const Branch& branch, const Inner_ball& ball) const
+  {
+    return distance(graph_.point(branch.end), ball.center) < 1.5 * ball.radius;
+  }
+
+  // Whether a branch is that beside a ball near where it leaves the trunk.
+  bool is_short(const Branch& branch, const Inner_ball& ball) const
+  {
+    return branch.persistence < ratio_ / 2 * ball.radius && is_near(branch, ball);
   }
 
   // How far a tip protrudes from the balls in the middle of contours on ways from a node, and between two of them, of which the
@@ -250,9 +318,9 @@ private:
 
   // Whether a ball touches both ends of a branch, and the contour where it leaves the trunk goes around the ball on both
   // sides: the fronts that part or meet there are two sections of one tube.
-  bool is_across_tube(const Branch& branch, Index tip, double contour_length) const
+  bool is_across_tube(const Branch& branch, Mesh::Vertex_index tip, double contour_length) const
   {
-    const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
+    const Point &top = tree_.mesh().point(tip), &bottom = graph_.point(branch.end);
     const double inscribed = tree_.distance_from_wall(CGAL::midpoint(top, bottom), top);
     return distance(top, bottom) / 2 < (1 + ratio_ / 2) * inscribed && contour_length > 3 * pi * inscribed;
   }
@@ -280,10 +348,14 @@ private:
 
   // Whether a tip is the corner of a bend: if two limbs of the trunk about as thick as the branch went straight on, at an angle, it
   // would hardly stand out from each of them, but is across both from where they meet.
-  bool is_corner(const Branch& branch, Index tip, const std::vector<Index>& trunk, double radius, double own) const
+  bool is_corner(const Branch& branch,
+                 Mesh::Vertex_index tip,
+                 const std::vector<Index>& trunk,
+                 double radius,
+                 double own) const
   {
     const double cosine_of_30 = 0.866;
-    const Point &top = graph_.point(tip), &bottom = graph_.point(branch.end);
+    const Point &top = tree_.mesh().point(tip), &bottom = graph_.point(branch.end);
     std::vector<Vector> directions;
     for(std::size_t i = 0; i != trunk.size() && directions.size() + trunk.size() - i > 1; ++i)
     {
@@ -428,16 +500,16 @@ private:
 
   // Whether a tip hardly protrudes from a ball beneath it that is larger than the branch, as those do that the front
   // leaves on a large body, where contours between limbs are small.
-  bool is_bump(Index tip, double persistence) const
+  bool is_bump(Mesh::Vertex_index tip, double persistence) const
   {
-    const auto inwards = tree_.inward_direction(graph_.vertex(tip));
-    const double depth = tree_.depth_beneath(graph_.vertex(tip), inwards);
+    const auto inwards = tree_.inward_direction(tip);
+    const double depth = tree_.depth_beneath(tip, inwards);
     const int number_of_steps = 8;
     for(int i = 1; i != number_of_steps; ++i)
     {
       const double step = depth * i / number_of_steps;
-      const Point center = graph_.point(tip) + step * inwards;
-      const double inscribed = tree_.distance_from_wall(center, graph_.point(tip));
+      const Point center = tree_.mesh().point(tip) + step * inwards;
+      const double inscribed = tree_.distance_from_wall(center, tree_.mesh().point(tip));
       if(step - inscribed < ratio_ / 2 * inscribed && persistence < 2 * ratio_ * inscribed)
         return true;
     }
@@ -447,10 +519,10 @@ private:
   // Whether what is nearer to a tip than some distance is about as long as it is wide. The persistence of a limb that the front
   // passes across, or reaches from two sides, tells nothing of its length. Spikes of noise have edges as long as they are. At a corner
   // of what is bent by a right angle, what is on both sides is 1.4 times as wide as far.
-  bool is_limb(Index tip, double least, double most, double most_width = Edge_walk::width_of_limb)
+  bool is_limb(Mesh::Vertex_index tip, double least, double most, double most_width = Edge_walk::width_of_limb)
   {
     const double fineness = 0.4; // of the edges: at most this share of the limb's length
-    walk_.start(graph_.vertex(tip));
+    walk_.start(tip);
     for(double d = (std::max)(least, most / 16); d > 0 && d <= most; d *= 1.1)
     {
       while(walk_.next_distance() <= d && walk_.longest_edge() < fineness * most)

@@ -111,6 +111,7 @@ struct Filled_component
   std::vector<Filled_border> borders; // those that are openings
   std::vector<Filled_border> seams;   // the vertices that close what has no area, each after those of its rim
   std::vector<double> values;         // of the given vertices; empty if distances are to be used
+  std::vector<double> given_lengths;  // of edges, before long ones were cut; empty if there was none
 
   bool is_given(Mesh::Vertex_index v) const { return v.idx() < given.size(); }
   // The place of the border whose apex a vertex is, or the number of borders.

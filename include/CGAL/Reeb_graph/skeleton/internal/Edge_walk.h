@@ -26,8 +26,10 @@ namespace CGAL::Reeb_graph::internal::skeleton {
 class Edge_walk
 {
 public:
-  explicit Edge_walk(const Mesh& mesh)
+  // Edges count by their given lengths, if there are any.
+  explicit Edge_walk(const Mesh& mesh, const std::vector<double>& given_lengths = {})
     : mesh_(mesh),
+      given_lengths_(given_lengths),
       distances_(mesh.num_vertices(), std::numeric_limits<double>::infinity())
   {}
 
@@ -65,7 +67,7 @@ public:
       if(const double old = distances_[u]; passed < old)
       {
         const double size = distance(mesh_.point(last_), mesh_.point(u));
-        longest_edge_ = (std::max)(longest_edge_, size);
+        longest_edge_ = (std::max)(longest_edge_, given_lengths_.empty() ? size : given_lengths_[mesh_.edge(h)]);
         if(passed + size < old)
         {
           if(!std::isfinite(old))
@@ -127,6 +129,7 @@ private:
   }
 
   const Mesh& mesh_;
+  const std::vector<double> given_lengths_;
   std::vector<double> distances_;
   std::vector<Mesh::Vertex_index> reached_; // since the start
   std::vector<Entry> front_;                // a heap, with longer ways to vertices that have been found

@@ -19,6 +19,7 @@
 #include <CGAL/Reeb_graph/skeleton/internal/Branch_pruning.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_filling.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Component_skeleton.h>
+#include <CGAL/Reeb_graph/skeleton/internal/Edge_splitting.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Graph_chains.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Inside_lines.h>
 #include <CGAL/Reeb_graph/skeleton/internal/Line_centering.h>
@@ -175,6 +176,8 @@ Component_skeleton make_component_skeleton(Component component,
   Component_skeleton result;
   result.is_self_intersecting = does_self_intersect(mesh, progress.part(0, 0.05));
   const bool are_distances = component.values.empty();
+  if(are_distances)
+    const Edge_splitting splitting(component);
   const Field field = component.mesh.template add_property_map<Mesh::Vertex_index, double>("v:value", 0).first;
   if(are_distances)
     write_distances(component, options.are_borders_ends, field, progress.part(0.05, 0.15));
@@ -191,7 +194,8 @@ Component_skeleton make_component_skeleton(Component component,
   std::vector<bool> is_border(graph.number_of_nodes(), false);
   for(Index node = 0; node != graph.number_of_nodes(); ++node)
     is_border[node] = options.are_borders_ends && component.is_apex(graph.vertex(node));
-  Branch_pruning pruning(graph, tree, options.pruning_ratio, are_distances, is_border, progress.part(0.2, 0.4));
+  Branch_pruning pruning(graph, tree, component.given_lengths, options.pruning_ratio, are_distances, is_border,
+                         progress.part(0.2, 0.4));
   Graph_chains chains(graph, pruning);
   Skeleton_lines lines(graph, chains, component, options, are_distances, progress.part(0.4, 0.45));
   Inside_lines inside(graph, chains, tree, lines, field, progress.part(0.45, 0.6));
