@@ -137,12 +137,11 @@ def letter(fine, name):
                          "plus": ("...o... ...o... ...o... ooooooo ...o... ...o... ...o...", 4, 0), "H": ("o..o o..o oooo o..o o..o", 4, 0)}[name]
     solid = np.array([[[cell == "o"] for cell in row] for row in rows.split()])
     return blocks(solid, fine), dict(genus=genus, ends=ends, volume=float(solid.sum()))
-@plain("T", "plus", "H")
+@plain("T", "H")
 def extruded_letter(fine, name):
     """A letter of few triangles, whose edges are as long as the arms."""
     polygon, ends, area = {
         "T": ([(-5, 0), (6, 0), (6, 1), (1, 1), (1, 9), (0, 9), (0, 1), (-5, 1)], 3, 19),
-        "plus": ([(0, 0), (0, -5), (1, -5), (1, 0), (6, 0), (6, 1), (1, 1), (1, 8), (0, 8), (0, 1), (-4, 1), (-4, 0)], 4, 22),
         "H": ([(0, 0), (0, -5), (1, -5), (1, 0), (6, 0), (6, -5), (7, -5), (7, 6), (6, 6), (6, 1), (1, 1), (1, 6), (0, 6)], 4, 27)}[name]
     return extruded(polygon, 1, fine - 1), dict(genus=0, ends=ends, volume=float(area))
 @plain()
